@@ -1,0 +1,39 @@
+#pragma once
+
+#include "geom/shape.hpp"
+#include "geom/transform.hpp"
+
+namespace meniscus::geom {
+
+/// A shape where the scene puts it. All rays, points and normals are in world coordinates, and t is the world ray's.
+class PlacedShape {
+public:
+    /// Takes the transform into the shape's own numbers where that loses nothing (a moved sphere is a sphere).
+    PlacedShape(Shape shape, const Transform& transform);
+
+    const Shape& shape() const { return shape_; }
+    const Transform& transform() const { return transform_; }
+    bool is_closed() const { return closed_; }
+    bool is_convex() const { return convex_; }
+    const Bounds& bounds() const { return bounds_; }
+    /// m_S in world units: the local magnitude under the largest scale, plus twice the largest shift.
+    double magnitude() const { return magnitude_; }
+
+    Interval interval(const Ray& ray, Face pin) const;
+    void crossings(const Ray& ray, Crossings& out) const;
+    void hits(const Ray& ray, Crossings& out) const;
+    Vec3 normal(Face face, const Vec3& p) const;
+    Vec3 shading_normal(Face face, const Vec3& p) const;
+    Vec3 on_face(Face face, const Vec3& p) const;
+    bool contains(const Vec3& p) const;
+    int depth_at(const Vec3& p) const;
+
+private:
+    Shape shape_;
+    Transform transform_;
+    Bounds bounds_;
+    double magnitude_;
+    bool closed_, convex_;
+};
+
+}  // namespace meniscus::geom
