@@ -1,0 +1,23 @@
+#pragma once
+
+#include "image/image.hpp"
+#include "tracer/options.hpp"
+#include "tracer/render_scene.hpp"
+#include "tracer/statistics.hpp"
+
+namespace meniscus::tracer {
+
+struct Rendered {
+    image::Image picture;
+    Statistics statistics;
+    double seconds = 0.0, cpu_seconds = 0.0;  // of the render stage
+    Tree tree = Tree::whitted;                // what was chosen
+    double estimated_error = 0.0;             // adaptive sampling: root mean square error reached, as estimated
+    std::map<std::string, std::string> reproduce;  // options that make the same picture again ("samples": "64")
+    bool interrupted = false;
+};
+
+/// The same scene and options give the same bytes, for any number of threads.
+Rendered render(const RenderScene& scene, const Options& options);
+
+}  // namespace meniscus::tracer
