@@ -17,14 +17,16 @@ inline double srgb_decode(double encoded) {
 enum class Encoding {
     srgb,    // the sRGB curve
     linear,  // the value itself, and the file says so (gAMA 1)
-    raw      // the value itself, and the file says sRGB: for scenes whose numbers are meant for the screen
+    raw      // the value itself, and the file says sRGB: for scenes whose numbers are meant for the
+             // screen
 };
 
 /// The nearest of 0 ... max for a value clipped to [0, 1]; not a number counts as 0.
 inline unsigned quantize(double value, Encoding encoding, unsigned max) {
     if (!(value > 0.0)) return 0;
     if (value >= 1.0) return max;
-    return unsigned(std::floor((encoding == Encoding::srgb ? srgb_encode(value) : value) * max + 0.5));
+    return unsigned(
+        std::floor((encoding == Encoding::srgb ? srgb_encode(value) : value) * max + 0.5));
 }
 
 }  // namespace meniscus::image

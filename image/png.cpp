@@ -9,7 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-// libpng reports errors by longjmp: no object with a destructor is made between setjmp and the last call into it.
+// libpng reports errors by longjmp: no object with a destructor is made between setjmp and the last
+// call into it.
 
 namespace meniscus::image {
 namespace {
@@ -88,8 +89,8 @@ Bytes quantized_rows(const Image& image, const PngOptions& options) {
     const unsigned max = options.bits == 16 ? 65535 : 255;
     Bytes rows(3 * bytes_each * image.full_width * image.full_height);
     for (int y = 0; y < image.height; ++y) {
-        auto* out = rows.data() + 3 * bytes_each *
-                                      (std::size_t(y + image.y0) * image.full_width + image.x0);
+        auto* out = rows.data() +
+                    3 * bytes_each * (std::size_t(y + image.y0) * image.full_width + image.x0);
         const float* in = image.pixel(0, y);
         for (int i = 0; i < 3 * image.width; ++i) {
             const unsigned value = quantize(in[i], options.encoding, max);
@@ -157,7 +158,8 @@ std::vector<float> decoding_table(const Header& header) {
     const bool is_srgb = header.file_gamma == 0.0 || std::abs(header.file_gamma - 0.45455) < 1e-3;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double encoded = double(i) / max;
-        table[i] = float(is_srgb ? srgb_decode(encoded) : std::pow(encoded, 1.0 / header.file_gamma));
+        table[i] =
+            float(is_srgb ? srgb_decode(encoded) : std::pow(encoded, 1.0 / header.file_gamma));
     }
     return table;
 }

@@ -13,10 +13,12 @@ struct PngOptions {
     Encoding encoding = Encoding::srgb;
 };
 
-/// The whole picture, black outside the image's window. Layers are left out: PNG has no place for them.
+/// The whole picture, black outside the image's window. Layers are left out: PNG has no place for
+/// them.
 std::string encode_png(const Image& image, const PngOptions& options, const Metadata& metadata);
 
-/// Linear values, by what the file says of its encoding (sRGB where it says nothing). Transparency is ignored.
+/// Linear values, by what the file says of its encoding (sRGB where it says nothing). Transparency
+/// is ignored.
 Image decode_png(std::string_view bytes);
 
 }  // namespace meniscus::image

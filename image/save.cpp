@@ -8,7 +8,8 @@ namespace meniscus::image {
 std::optional<Format> format_of(const std::filesystem::path& path) {
     if (path == standard_stream) return Format::png;
     auto extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return std::tolower(c); });
     if (extension == ".png") return Format::png;
     if (extension == ".exr") return Format::exr;
     return std::nullopt;
