@@ -24,7 +24,8 @@ struct Bounds {
     Vec3 size() const { return high - low; }
     double area() const;
     bool contains(const Vec3& p) const {
-        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y &&
+               p.z <= high.z;
     }
 
     void extend(const Vec3& p) {
@@ -42,7 +43,8 @@ struct Bounds {
 /// Whether the two boxes share a point; touching counts.
 bool overlap(const Bounds& a, const Bounds& b);
 
-/// The part [near, far] of the ray's line inside a box; empty when near > far. Never misses a box by rounding.
+/// The part [near, far] of the ray's line inside a box; empty when near > far. Never misses a box
+/// by rounding.
 struct Span {
     double near, far;
 };

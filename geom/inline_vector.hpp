@@ -10,7 +10,7 @@ namespace meniscus::geom {
 
 /// A vector of small values that needs no heap while it holds at most `N`, and has no upper limit.
 template <class T, std::size_t N>
-    requires std::is_trivially_copyable_v<T>
+requires std::is_trivially_copyable_v<T>
 class InlineVector {
 public:
     std::size_t size() const { return size_; }

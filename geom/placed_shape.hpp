@@ -5,10 +5,12 @@
 
 namespace meniscus::geom {
 
-/// A shape where the scene puts it. All rays, points and normals are in world coordinates, and t is the world ray's.
+/// A shape where the scene puts it. All rays, points and normals are in world coordinates, and t is
+/// the world ray's.
 class PlacedShape {
 public:
-    /// Takes the transform into the shape's own numbers where that loses nothing (a moved sphere is a sphere).
+    /// Takes the transform into the shape's own numbers where that loses nothing (a moved sphere is
+    /// a sphere).
     PlacedShape(Shape shape, const Transform& transform);
 
     const Shape& shape() const { return shape_; }
@@ -16,7 +18,8 @@ public:
     bool is_closed() const { return closed_; }
     bool is_convex() const { return convex_; }
     const Bounds& bounds() const { return bounds_; }
-    /// m_S in world units: the local magnitude under the largest scale, plus twice the largest shift.
+    /// m_S in world units: the local magnitude under the largest scale, plus twice the largest
+    /// shift.
     double magnitude() const { return magnitude_; }
 
     Interval interval(const Ray& ray, Face pin) const;

@@ -23,7 +23,8 @@ namespace meniscus::geom {
 template <Primitive... Primitives>
 using OneOf = std::variant<Primitives...>;
 
-/// To add a primitive: write its struct in a file of its own, name it here, and read docs/adding-a-primitive.md.
+/// To add a primitive: write its struct in a file of its own, name it here, and read
+/// docs/adding-a-primitive.md.
 using Shape =
     OneOf<Box, Cone, Cylinder, Disc, Lathe, Mesh, Plane, Polygon, Sphere, Torus, Triangle>;
 
@@ -35,16 +36,18 @@ bool is_closed(const Shape& shape);
 /// Whether a line meets the closed shape in one interval at most: `interval` may be asked.
 bool is_convex(const Shape& shape);
 Bounds bounds(const Shape& shape);
-/// The largest absolute coordinate that enters the shape's arithmetic: m_S of the error bound |error of t| |d.n| <= c u M.
+/// The largest absolute coordinate that enters the shape's arithmetic: m_S of the error bound
+/// |error of t| |d.n| <= c u M.
 double magnitude(const Shape& shape);
 
-/// For convex shapes: the interval on the ray's whole line. `pin` names the face that the ray's origin lies on, if any: that
-/// face's root is exactly 0.
+/// For convex shapes: the interval on the ray's whole line. `pin` names the face that the ray's
+/// origin lies on, if any: that face's root is exactly 0.
 Interval interval(const Shape& shape, const Ray& ray, Face pin);
-/// For closed shapes: every crossing on the ray's whole line (t of any sign), sorted. Entering and leaving
-/// balance, and take turns except where a mesh overlaps itself.
+/// For closed shapes: every crossing on the ray's whole line (t of any sign), sorted. Entering and
+/// leaving balance, and take turns except where a mesh overlaps itself.
 void crossings(const Shape& shape, const Ray& ray, Crossings& out);
-/// For open shapes: every meeting on the ray's whole line, sorted; `entering` is set where direction and normal oppose.
+/// For open shapes: every meeting on the ray's whole line, sorted; `entering` is set where
+/// direction and normal oppose.
 void hits(const Shape& shape, const Ray& ray, Crossings& out);
 
 /// The outward unit normal of a face at a point of it.
@@ -53,9 +56,11 @@ Vec3 normal(const Shape& shape, Face face, const Vec3& p);
 Vec3 shading_normal(const Shape& shape, Face face, const Vec3& p);
 /// The point of the face nearest to `p`, which is within rounding of it.
 Vec3 on_face(const Shape& shape, Face face, const Vec3& p);
-/// For closed shapes: whether `p` is strictly inside. For a mesh: whether its winding count is positive.
+/// For closed shapes: whether `p` is strictly inside. For a mesh: whether its winding count is
+/// positive.
 bool contains(const Shape& shape, const Vec3& p);
-/// For closed shapes: how many times `p` is inside, by counting; 0 or 1 except for self-overlapping meshes.
+/// For closed shapes: how many times `p` is inside, by counting; 0 or 1 except for self-overlapping
+/// meshes.
 int depth_at(const Shape& shape, const Vec3& p);
 
 }  // namespace meniscus::geom

@@ -15,7 +15,8 @@ public:
 
     static Transform translation(const Vec3& shift);
     static Transform scaling(const Vec3& factors);
-    /// POV-Ray's `rotate`: degrees about x, then y, then z; positive turns y to z, z to x, x to y (left-handed).
+    /// POV-Ray's `rotate`: degrees about x, then y, then z; positive turns y to z, z to x, x to y
+    /// (left-handed).
     static Transform rotation_degrees(const Vec3& angles);
 
     /// First this map, then `next`: the order in which scene files write them.

@@ -7,7 +7,8 @@
 
 namespace meniscus::geom {
 
-/// All geometry is double precision. The coordinate system is POV-Ray's, left-handed: x right, y up, z into the picture.
+/// All geometry is double precision. The coordinate system is POV-Ray's, left-handed: x right, y
+/// up, z into the picture.
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Mat3 = glm::dmat3;  // column-major: m[column][row]

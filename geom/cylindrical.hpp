@@ -1,0 +1,75 @@
+#pragma once
+
+#include "geom/bounds.hpp"
+#include "geom/crossing.hpp"
+#include "geom/ray.hpp"
+
+namespace meniscus::geom {
+
+/// The line from the middle of one end to the middle of the other, of cylinders and cones.
+struct Axis {
+    Vec3 base, direction;
+    double length;
+
+    // By division: times 1 / length would make 0.9999999999999999 of an exact axis.
+    Axis(const Vec3& from, const Vec3& to)
+        : base(from), direction(to - from), length(glm::length(direction)) {
+        direction /= length;
+    }
+};
+
+/// A point as its way along the axis and its way from it.
+struct AxialPoint {
+    double along;
+    Vec3 across;
+
+    AxialPoint(const Vec3& p, const Axis& axis)
+        : along(glm::dot(p - axis.base, axis.direction)),
+          across((p - axis.base) - along * axis.direction) {}
+};
+
+/// A ray taken apart in the same way: e is the vector from the base to its origin, d its direction.
+struct AxialRay {
+    double along_e, along_d;
+    Vec3 across_e, across_d;
+
+    AxialRay(const Ray& ray, const Axis& axis) {
+        const Vec3 e = ray.from(axis.base);
+        along_e = glm::dot(e, axis.direction);
+        along_d = glm::dot(ray.direction, axis.direction);
+        across_e = e - along_e * axis.direction;
+        across_d = ray.direction - along_d * axis.direction;
+    }
+};
+
+/// The unit vector from the axis to the point; any one across where the point is on the axis.
+Vec3 unit_across(const AxialPoint& p, const Axis& axis);
+
+/// Takes away from `interval` what is outside [near, far].
+inline void clip(Interval& interval, double near, Face near_face, double far, Face far_face) {
+    if (near > interval.t0) {
+        interval.t0 = near;
+        interval.face0 = near_face;
+    }
+    if (far < interval.t1) {
+        interval.t1 = far;
+        interval.face1 = far_face;
+    }
+    if (!(interval.t0 < interval.t1)) interval.hit = false;
+}
+
+/// What the planes of the two caps leave of a line.
+Interval between_caps(const AxialRay& ray, double length, Face pin, Face base_face, Face cap_face);
+
+/// The box around a disc.
+Bounds disc_bounds(const Vec3& center, const Vec3& direction, double radius);
+
+/// The point of a plane, through `anchor`, that is nearest to p.
+inline Vec3 onto_plane(const Vec3& p, const Vec3& anchor, const Vec3& unit_normal) {
+    return p - glm::dot(p - anchor, unit_normal) * unit_normal;
+}
+
+/// Some unit vector at a right angle to `v`.
+Vec3 any_perpendicular(const Vec3& v);
+
+}  // namespace meniscus::geom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "geom/primitive.hpp"
+#include "geom/triangle_mesh.hpp"
+
+namespace meniscus::geom {
+
+/// mesh { ... }: triangles, shared between all objects that use them. A solid if the mesh is
+/// closed, else a surface. A face is a triangle's index. The default is a cube.
+struct Mesh {
+    std::shared_ptr<const TriangleMesh> triangles = TriangleMesh::unit_cube();
+
+    static constexpr auto keyword = "mesh";
+    static constexpr auto fields = std::tuple<>{};
+    static constexpr auto flags = std::tuple<>{};
+
+    bool is_closed() const { return triangles->is_closed(); }
+    Bounds bounds() const { return triangles->bounds(); }
+    double magnitude() const { return triangles->magnitude(); }
+
+    void crossings(const Ray& ray, Crossings& out) const { triangles->crossings(ray, out); }
+    void hits(const Ray& ray, Crossings& out) const { triangles->crossings(ray, out); }
+    bool contains(const Vec3& p) const { return triangles->depth_at(p) > 0; }
+    int depth_at(const Vec3& p) const { return triangles->depth_at(p); }
+    Vec3 normal(Face face, const Vec3&) const { return triangles->normal(face); }
+    Vec3 shading_normal(Face face, const Vec3& p) const {
+        return triangles->shading_normal(face, p);
+    }
+    Vec3 on_face(Face face, const Vec3& p) const { return triangles->on_face(face, p); }
+};
+
+}  // namespace meniscus::geom

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geom/bounds.hpp"
+#include "geom/bvh.hpp"
+#include "geom/crossing.hpp"
+#include "geom/ray.hpp"
+
+namespace meniscus::geom {
+
+using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// Triangles as a file or a scene gives them. Equal positions need not share an index: they are
+/// welded.
+struct TriangleSoup {
+    static constexpr std::uint32_t no_normal = 0xffffffff;
+
+    std::vector<Vec3> positions;
+    std::vector<TriangleIndices> triangles;
+    std::vector<Vec3> normals;  // to shade with; of any length
+    std::vector<TriangleIndices>
+        corner_normals;  // empty, or for each triangle three normals or three `no_normal`
+};
+
+/// An edge that keeps a mesh from being closed.
+struct OpenEdge {
+    Vec3 a, b;
+    int uses;  // by how many triangles
+};
+
+/// What was found out about a mesh when it was built.
+struct MeshStats {
+    std::size_t triangles = 0, vertices = 0;  // that remain
+    std::size_t degenerate = 0, duplicate_positions = 0;
+    std::size_t components = 0;              // parts that share no edge
+    std::size_t open_edges = 0;              // not used equally often in both directions
+    std::vector<OpenEdge> first_open_edges;  // at most 8 of them
+    std::size_t flipped = 0;      // triangles turned round to make the winding consistent
+    bool was_consistent = true;   // neighbours agreed on their winding as given
+    bool was_inside_out = false;  // they did, but all the wrong way round
+    double volume = 0.0;
+};
+
+/// Triangles with a hierarchy over them, ready for rays; never changes. If every edge is used
+/// equally often in both directions the mesh is closed, and every line then crosses it inwards as
+/// often as outwards: the test is exact (see watertight.hpp).
+///
+/// A consistent winding is believed (turned round as a whole if the volume is negative): shells
+/// then count. Any other winding is worked out anew by POV-Ray's rule that each surface crossed
+/// toggles inside and outside: a shell within a shell is a cavity.
+class TriangleMesh {
+public:
+    /// Throws std::invalid_argument if an index is out of range, a position is not finite, or no
+    /// triangle remains.
+    explicit TriangleMesh(TriangleSoup soup);
+
+    /// The cube from -1 to 1.
+    static std::shared_ptr<const TriangleMesh> unit_cube();
+
+    bool is_closed() const { return stats_.open_edges == 0; }
+    const MeshStats& stats() const { return stats_; }
+    const Bounds& bounds() const { return bounds_; }
+    double magnitude() const { return magnitude_; }
+    std::size_t memory_bytes() const;
+
+    std::size_t size() const { return triangles_.size(); }
+    std::array<Vec3, 3> corners(Face face) const;
+
+    /// Every crossing on the ray's whole line, sorted by t.
+    void crossings(const Ray& ray, Crossings& out) const;
+    int depth_at(const Vec3& p) const;
+    Vec3 normal(Face face) const;
+    Vec3 shading_normal(Face face, const Vec3& p) const;
+    Vec3 on_face(Face face, const Vec3& p) const;
+
+private:
+    std::vector<Vec3> positions_;
+    std::vector<TriangleIndices> triangles_;  // in the order of the hierarchy's leaves
+    std::vector<Vec3> normals_;
+    std::vector<TriangleIndices> corner_normals_;
+    Bvh bvh_;
+    Bounds bounds_;
+    double magnitude_ = 0.0;
+    MeshStats stats_;
+};
+
+}  // namespace meniscus::geom
