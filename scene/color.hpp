@@ -7,7 +7,8 @@ namespace meniscus::scene {
 /// Linear light: red, green, blue, in no particular unit; 1 is full scale in a picture.
 using Rgb = geom::Vec3;
 
-/// A pigment's colour: what it reflects, and how much light passes through it, tinted (`filter`) and untinted (`transmit`).
+/// A pigment's colour: what it reflects, and how much light passes through it, tinted (`filter`)
+/// and untinted (`transmit`).
 struct Color {
     Rgb rgb{0.0};
     double filter = 0.0;

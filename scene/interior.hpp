@@ -6,8 +6,9 @@
 
 namespace meniscus::scene {
 
-/// POV-Ray's `fade_distance`, `fade_power` and `fade_color`: how a medium dims light along the way s in it.
-/// power >= 1000: exp(-(1 - color) s / distance); below: color + (1 - color) / (1 + (s / distance)^power), per channel.
+/// POV-Ray's `fade_distance`, `fade_power` and `fade_color`: how a medium dims light along the way
+/// s in it. power >= 1000: exp(-(1 - color) s / distance); below: color + (1 - color) / (1 + (s /
+/// distance)^power), per channel.
 struct Fade {
     double distance = 0.0;  // 0: no fading
     double power = 0.0;     // 0: no fading
@@ -19,11 +20,11 @@ struct Fade {
 /// What fills a solid, and who wins where solids overlap.
 struct Interior {
     double ior = 1.0;
-    double priority = 0.0;   // larger wins
-    Rgb absorption{0.0};     // Beer-Lambert, per scene unit: transmittance exp(-absorption * s)
+    double priority = 0.0;  // larger wins
+    Rgb absorption{0.0};    // Beer-Lambert, per scene unit: transmittance exp(-absorption * s)
     Fade fade;
-    double caustics = 0.0;   // POV-Ray's fake: brightens shadow rays at each crossing
-    bool states_ior = false;       // the scene says so (an opaque skin over it is a likely mistake)
+    double caustics = 0.0;    // POV-Ray's fake: brightens shadow rays at each crossing
+    bool states_ior = false;  // the scene says so (an opaque skin over it is a likely mistake)
     bool states_priority = false;
 
     bool attenuates() const { return absorption != Rgb{0.0} || fade.is_active(); }

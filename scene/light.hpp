@@ -13,8 +13,10 @@ struct Light {
     geom::Vec3 position{0.0};
     Rgb color{1.0};
     geom::Vec3 point_at{0.0, 0.0, 1.0};
-    double radius = 30.0;   // spot: degrees from the axis, full light within; cylinder: scene units (default 0.75)
-    double falloff = 45.0;  // spot: degrees from the axis, dark beyond; cylinder: scene units (default 1)
+    double radius = 30.0;  // spot: degrees from the axis, full light within; cylinder: scene units
+                           // (default 0.75)
+    double falloff =
+        45.0;  // spot: degrees from the axis, dark beyond; cylinder: scene units (default 1)
     double tightness = 0.0;
     bool parallel = false;
     bool shadowless = false;

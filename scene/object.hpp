@@ -11,10 +11,12 @@
 
 namespace meniscus::scene {
 
-/// One solid: what shares an interior. A union with an interior is one solid made of many objects; it is counted, so that its members
-/// may overlap. An object without any such union is a solid of its own.
+/// One solid: what shares an interior. A union with an interior is one solid made of many objects;
+/// it is counted, so that its members may overlap. An object without any such union is a solid of
+/// its own.
 struct Solid {
-    std::string name;  // the declared name, else the shape's keyword; messages call it "glass (sphere)" or so
+    std::string name;  // the declared name, else the shape's keyword; messages call it "glass
+                       // (sphere)" or so
     Location location;
     Interior interior;
 };

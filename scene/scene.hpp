@@ -10,7 +10,8 @@
 
 namespace meniscus::scene {
 
-/// One layer of the sky: a pigment evaluated on the unit direction. Later layers lie over earlier ones.
+/// One layer of the sky: a pigment evaluated on the unit direction. Later layers lie over earlier
+/// ones.
 struct SkySphere {
     std::vector<Pigment> pigments;
     double emission = 1.0;

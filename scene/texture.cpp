@@ -8,11 +8,12 @@ namespace {
 bool lets_light_through(const Color& color) { return color.filter != 0.0 || color.transmit != 0.0; }
 
 bool lets_light_through(const ColorMap& map) {
-    return std::ranges::any_of(map.entries, [](const auto& entry) { return lets_light_through(entry.color); });
+    return std::ranges::any_of(map.entries,
+                               [](const auto& entry) { return lets_light_through(entry.color); });
 }
 bool lets_light_through(const PigmentMap& map) {
-    return std::ranges::any_of(map.entries,
-                               [](const auto& entry) { return scene::lets_light_through(*entry.pigment); });
+    return std::ranges::any_of(
+        map.entries, [](const auto& entry) { return scene::lets_light_through(*entry.pigment); });
 }
 
 bool lets_light_through(const SolidColor& p) { return lets_light_through(p.color); }
@@ -33,7 +34,8 @@ bool lets_light_through(const Gradient& p) {
 }  // namespace
 
 bool lets_light_through(const Pigment& pigment) {
-    return std::visit([](const auto& pattern) { return lets_light_through(pattern); }, pigment.pattern);
+    return std::visit([](const auto& pattern) { return lets_light_through(pattern); },
+                      pigment.pattern);
 }
 
 }  // namespace meniscus::scene

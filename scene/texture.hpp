@@ -11,8 +11,8 @@ namespace meniscus::scene {
 
 struct Pigment;
 
-/// `color_map` or `pigment_map`: entries sorted by position; between two, colours blend linearly. Of two entries at one position, the
-/// first holds there. Ends are clamped.
+/// `color_map` or `pigment_map`: entries sorted by position; between two, colours blend linearly.
+/// Of two entries at one position, the first holds there. Ends are clamped.
 struct ColorMap {
     struct Entry {
         double position;
@@ -31,7 +31,8 @@ struct PigmentMap {
 struct SolidColor {
     Color color;
 };
-/// A list pattern hands out whole pigments by index: checker 2, hexagon 3, brick 2 (mortar first, brick second).
+/// A list pattern hands out whole pigments by index: checker 2, hexagon 3, brick 2 (mortar first,
+/// brick second).
 struct Checker {
     std::shared_ptr<const Pigment> first, second;
 };
@@ -43,7 +44,8 @@ struct Brick {
     geom::Vec3 size{8.0, 3.0, 4.5};
     double mortar_width = 0.5;
 };
-/// A value in [0, 1] of the position along `direction` (POV-Ray's gradient: each axis contributes), looked up in a map.
+/// A value in [0, 1] of the position along `direction` (POV-Ray's gradient: each axis contributes),
+/// looked up in a map.
 struct Gradient {
     geom::Vec3 direction{1.0, 0.0, 0.0};
     double frequency = 1.0, phase = 0.0;
@@ -52,7 +54,8 @@ struct Gradient {
     double exponent = 1.0;  // of poly_wave
 };
 
-/// A colour at each point of space. `transform` takes the pigment's own frame to the frame of what uses it.
+/// A colour at each point of space. `transform` takes the pigment's own frame to the frame of what
+/// uses it.
 struct Pigment {
     std::variant<SolidColor, Checker, Hexagon, Brick, Gradient> pattern;
     geom::Transform transform;
@@ -69,7 +72,8 @@ struct Reflection {
     bool is_active() const { return min != Rgb{0.0} || max != Rgb{0.0}; }
 };
 
-/// POV-Ray's finish, with its defaults. `albedo` forms are resolved by the reader into plain numbers.
+/// POV-Ray's finish, with its defaults. `albedo` forms are resolved by the reader into plain
+/// numbers.
 struct Finish {
     Rgb ambient{0.1};
     Rgb emission{0.0};
@@ -84,8 +88,9 @@ struct Finish {
     bool irid = false;  // read, not rendered
 };
 
-/// What a surface looks like. `clear` is the skin of `material { ior ... }`: transmit 1, exact Fresnel reflection, nothing else.
-/// The transform takes the texture's frame to the world; the pigment's own comes before it.
+/// What a surface looks like. `clear` is the skin of `material { ior ... }`: transmit 1, exact
+/// Fresnel reflection, nothing else. The transform takes the texture's frame to the world; the
+/// pigment's own comes before it.
 struct Texture {
     Pigment pigment;
     Finish finish;

@@ -45,7 +45,8 @@ struct ContrastSampling {
     int depth = 3;
     int method = 1;
 };
-using Sampling = std::variant<GridSampling, CountSampling, ErrorSampling, TimeSampling, ContrastSampling>;
+using Sampling =
+    std::variant<GridSampling, CountSampling, ErrorSampling, TimeSampling, ContrastSampling>;
 
 /// Pixels [x0, x1) x [y0, y1), from the top left.
 struct Region {
@@ -56,17 +57,21 @@ struct Options {
     int width = 640, height = 480;
     std::optional<Region> region;  // default: the whole picture
     Sampling sampling = ErrorSampling{};
-    std::optional<Tree> tree;      // default: whitted with GridSampling and ContrastSampling, else sampled
+    std::optional<Tree>
+        tree;  // default: whitted with GridSampling and ContrastSampling, else sampled
     InteriorMode interior = InteriorMode::sweep;
-    double recast_epsilon = 1e-9;  // recast and off: how far from its origin a ray must have come, times the scene's size
+    double recast_epsilon = 1e-9;  // recast and off: how far from its origin a ray must have come,
+                                   // times the scene's size
     int depth = 100;               // full and sampled: segments of one path
     double cutoff = 1e-6;          // full: branches of lower weight are dropped
     std::uint64_t seed = 0;
-    int threads = 0;               // 0: all cores
-    bool layers = false;           // also make the extra image layers
-    bool check_segments = false;   // --strict: ask at inner points of segments which solids contain them
+    int threads = 0;      // 0: all cores
+    bool layers = false;  // also make the extra image layers
+    bool check_segments =
+        false;  // --strict: ask at inner points of segments which solids contain them
 
-    std::function<void(double)> progress;            // called with the finished share, from any thread, one call at a time
+    std::function<void(double)>
+        progress;  // called with the finished share, from any thread, one call at a time
     const std::atomic<bool>* interrupted = nullptr;  // set: stop soon and keep the picture so far
 };
 

@@ -12,8 +12,10 @@ struct Rendered {
     Statistics statistics;
     double seconds = 0.0, cpu_seconds = 0.0;  // of the render stage
     Tree tree = Tree::whitted;                // what was chosen
-    double estimated_error = 0.0;             // adaptive sampling: root mean square error reached, as estimated
-    std::map<std::string, std::string> reproduce;  // options that make the same picture again ("samples": "64")
+    double estimated_error =
+        0.0;  // adaptive sampling: root mean square error reached, as estimated
+    std::map<std::string, std::string>
+        reproduce;  // options that make the same picture again ("samples": "64")
     bool interrupted = false;
 };
 

@@ -15,11 +15,11 @@ inline constexpr int outside = -1;
 /// A solid's share in the scene that rays meet: one placed shape.
 struct Part {
     geom::PlacedShape shape;
-    int object;            // index into the scene's objects
-    int solid;             // index into the scene's solids; several parts of one union share it
+    int object;  // index into the scene's objects
+    int solid;   // index into the scene's solids; several parts of one union share it
     double priority;
-    bool is_member;        // stands in interior lists; otherwise its surface is always met
-    bool is_opaque;        // every ray ends on its surface
+    bool is_member;  // stands in interior lists; otherwise its surface is always met
+    bool is_opaque;  // every ray ends on its surface
     bool inverse;
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
@@ -29,12 +29,12 @@ struct Part {
 struct RenderScene {
     scene::Scene source;
     std::vector<Part> parts;
-    geom::Bvh bvh;                  // over the finite parts
-    std::vector<int> bvh_parts;     // bvh primitive -> part
-    std::vector<int> unbounded;     // parts without finite bounds
-    double size = 1.0;              // of the finite parts' bounds
-    double contact_tolerance = 0.0; // scene units along the normal, beside the rounding bound
-    bool has_members = false;       // some solid can hold a ray
+    geom::Bvh bvh;                   // over the finite parts
+    std::vector<int> bvh_parts;      // bvh primitive -> part
+    std::vector<int> unbounded;      // parts without finite bounds
+    double size = 1.0;               // of the finite parts' bounds
+    double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
+    bool has_members = false;        // some solid can hold a ray
     bool has_attenuation = false;
     std::vector<std::string> skipped;  // what this scene does not need
 };

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "tracer/render_scene.hpp"
+
+namespace meniscus::tracer {
+namespace {
+
+/// An opaque solid without ior, priority or attenuation of its own stands in no list (its surface
+/// is always met).
+bool is_medium(const scene::Solid& solid, const scene::Texture& texture) {
+    const scene::Interior& interior = solid.interior;
+    return interior.states_ior || interior.states_priority || interior.attenuates() ||
+           texture.clear || scene::lets_light_through(texture.pigment);
+}
+
+}  // namespace
+
+RenderScene compile(scene::Scene source) {
+    RenderScene result;
+    result.source = std::move(source);
+    const scene::Scene& scene = result.source;
+
+    // A solid with several objects is a medium if any of them is.
+    std::vector<bool> solid_is_medium(scene.solids.size(), false);
+    for (const scene::Object& object : scene.objects) {
+        if (is_medium(scene.solids[object.solid], scene.textures[object.texture])) {
+            solid_is_medium[object.solid] = true;
+        }
+    }
+
+    geom::Bounds finite;
+    std::vector<geom::Bounds> bvh_bounds;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const scene::Object& object = scene.objects[i];
+        const scene::Texture& texture = scene.textures[object.texture];
+        geom::PlacedShape shape(object.shape, object.transform);
+        const bool closed = shape.is_closed();
+        result.parts.push_back(
+            {.shape = std::move(shape),
+             .object = int(i),
+             .solid = int(object.solid),
+             .priority = scene.solids[object.solid].interior.priority,
+             .is_member = closed && solid_is_medium[object.solid],
+             .is_opaque = !texture.clear && !scene::lets_light_through(texture.pigment),
+             .inverse = object.inverse,
+             .no_shadow = object.no_shadow,
+             .no_image = object.no_image,
+             .no_reflection = object.no_reflection,
+             .double_illuminate = object.double_illuminate});
+        const Part& part = result.parts.back();
+        if (part.is_member) {
+            result.has_members = true;
+            if (scene.solids[object.solid].interior.attenuates()) result.has_attenuation = true;
+        }
+        const geom::Bounds& bounds = part.shape.bounds();
+        if (bounds.is_finite()) {
+            finite.extend(bounds);
+            bvh_bounds.push_back(bounds);
+            result.bvh_parts.push_back(int(i));
+        } else {
+            result.unbounded.push_back(int(i));
+        }
+    }
+    if (scene.settings.outside.attenuates()) result.has_attenuation = true;
+    result.bvh = geom::Bvh(bvh_bounds);
+    if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
+    result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
+
+    if (!result.has_members) result.skipped.emplace_back("no dielectric: no interior lists");
+    if (!result.has_attenuation) result.skipped.emplace_back("no absorption: no exponentials");
+    if (scene.lights.empty()) result.skipped.emplace_back("no light: no shadow rays");
+    return result;
+}
+
+}  // namespace meniscus::tracer

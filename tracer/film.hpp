@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "image/image.hpp"
+#include "scene/color.hpp"
+#include "tracer/options.hpp"
+#include "tracer/ray_tree.hpp"
+
+namespace meniscus::tracer {
+
+/// What a pixel has gathered. Samples go to two halves in turn, whose difference tells the error.
+struct Pixel {
+    scene::Rgb even{0.0}, odd{0.0};
+    double even_weight = 0.0, odd_weight = 0.0;
+    FirstHit first_hit;
+    int samples = 0;
+
+    void add(const scene::Rgb& light, double weight = 1.0);
+    scene::Rgb mean() const;
+    /// Squared standard error of the mean, averaged over the channels, as the two halves show it.
+    double squared_error() const;
+};
+
+/// The window of a picture that is being rendered.
+class Film {
+public:
+    Film(const Options& options);
+
+    Region region() const { return region_; }
+    int width() const { return region_.x1 - region_.x0; }
+    int height() const { return region_.y1 - region_.y0; }
+    Pixel& at(int x, int y) {
+        return pixels_[std::size_t(y - region_.y0) * width() + (x - region_.x0)];
+    }
+    const Pixel& at(int x, int y) const {
+        return pixels_[std::size_t(y - region_.y0) * width() + (x - region_.x0)];
+    }
+
+    /// Squared errors of all pixels, each the weighted mean of its 3 x 3 neighbours (itself counts
+    /// twice).
+    std::vector<double> squared_errors() const;
+    image::Image develop(bool layers) const;
+
+private:
+    int full_width_, full_height_;
+    Region region_;
+    std::vector<Pixel> pixels_;
+};
+
+}  // namespace meniscus::tracer

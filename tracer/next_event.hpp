@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tracer/offers.hpp"
+#include "tracer/options.hpp"
+#include "tracer/ray_state.hpp"
+
+namespace meniscus::tracer {
+
+/// One crossing as it was judged, for `inspect`.
+struct Judged {
+    double t;
+    int part;
+    bool entering;
+    bool is_true;
+};
+
+/// Finds where a ray's medium changes next. One for each thread: it keeps scratch memory between
+/// rays.
+class EventFinder {
+public:
+    EventFinder(const RenderScene& scene, const Options& options, Statistics& statistics);
+
+    /// The next event with t <= t_max, or nothing. Then `ray.interior` is the list at infinity (or
+    /// at t_max).
+    std::optional<Event> next(TracedRay& ray, double t_max = geom::infinity);
+
+    /// A ray that starts at `origin` in the open, its list computed from which solids contain the
+    /// origin.
+    TracedRay start(const geom::Ray& ray, RayKind kind);
+
+    const RenderScene& scene() const { return scene_; }
+    Statistics& statistics() { return statistics_; }
+
+    std::vector<Judged>* record =
+        nullptr;  // where to note every crossing judged, if anyone wants to know
+
+private:
+    std::optional<Event> sweep(TracedRay& ray, double t_max);
+    std::optional<Event> recast(TracedRay& ray, double t_max);
+
+    bool is_visible(const Part& part, RayKind kind) const;
+    void collect(const TracedRay& ray, int top, double t_max, bool bound_by_exits);
+    void offer(const TracedRay& ray, int part, int top, bool bound_by_exits);
+    std::optional<Event> walk(TracedRay& ray);
+    Event make_event(const TracedRay& ray, double t, const Offer& owner, const InteriorList& before,
+                     const InteriorList& after) const;
+    double cosine(const TracedRay& ray, const Offer& offer) const;
+    void check_midpoint(const TracedRay& ray, double t);
+    void check_escape(const TracedRay& ray);
+
+    const RenderScene& scene_;
+    const Options& options_;
+    Statistics& statistics_;
+    Offers offers_;
+    std::vector<Offer> found_;
+    std::vector<char> used_;
+    std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
+    unsigned stamp_ = 0;
+    double bound_ = 0.0;  // no true crossing of this traversal can lie behind it
+    bool bound_is_sure_ = true;
+};
+
+}  // namespace meniscus::tracer

@@ -1,0 +1,175 @@
+#include "tracer/offers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus::tracer {
+namespace {
+
+const Contact* find(const Contacts& contacts, int part) {
+    for (const Contact& contact : contacts) {
+        if (contact.part == part) return &contact;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+double Offers::cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const {
+    return std::abs(glm::dot(ray.ray.direction, part.shape.normal(face, ray.ray.at(t))));
+}
+
+/// A crossing is forced where list and position disagree by more than rounding; `disagreement` is a
+/// distance along the normal.
+void Offers::count_forced(const TracedRay& ray, const Part& part, double disagreement) {
+    const double magnitude =
+        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    if (disagreement > 2.0 * tolerance(scene_, magnitude)) {
+        statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
+    }
+}
+
+void Offers::collect(const TracedRay& ray, int index, double t_max, std::vector<Offer>& out) {
+    const Part& part = scene_.parts[index];
+    const Contact* contact = find(ray.contacts, index);
+    if (!part.shape.is_closed()) {
+        collect_open(ray, part, index, contact, t_max, out);
+    } else if (part.shape.is_convex()) {
+        collect_convex(ray, part, index, contact, t_max, out);
+    } else {
+        collect_general(ray, part, index, contact, t_max, out);
+    }
+}
+
+void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
+                            const Contact* contact, double t_max, std::vector<Offer>& out) {
+    const geom::Interval interval =
+        part.shape.interval(ray.ray, contact ? contact->face : geom::no_face);
+    // Whether the ray starts inside the shape itself. Opaque solids stand in no list: away from a
+    // contact, geometry decides.
+    bool inside;
+    if (part.is_member) {
+        inside = ray.interior.inside(index) != part.inverse;
+    } else if (contact) {
+        inside = contact->starts_inside != part.inverse;
+    } else {
+        inside = interval.hit && interval.t0 < 0.0;
+    }
+
+    if (inside) {
+        if (!(interval.t1 <= t_max)) return;
+        if (interval.t1 < 0.0 && !contact) {
+            count_forced(ray, part, -interval.t1 * cosine(ray, part, interval.face1, interval.t1));
+        }
+        out.push_back({std::max(interval.t1, 0.0), index, interval.face1, part.inverse});
+        return;
+    }
+    if (!interval.hit || !(interval.t1 > 0.0) || interval.t0 > t_max) return;
+    const double start = std::max(interval.t0, 0.0);
+    const double chord = interval.t1 - start;
+    const double magnitude = this->magnitude(ray, index, start);
+    // A chord that is thinner than the tolerance is a touch: no crossing, rather than two in one
+    // place.
+    const double thin = std::max(1e-6 * magnitude, 2.0 * scene_.contact_tolerance);
+    if (chord < thin &&
+        chord * cosine(ray, part, interval.face1, interval.t1) <= tolerance(scene_, magnitude)) {
+        return;
+    }
+    if (interval.t0 < 0.0 && !contact) {
+        count_forced(ray, part, -interval.t0 * cosine(ray, part, interval.face0, interval.t0));
+    }
+    out.push_back({start, index, interval.face0, !part.inverse});
+    if (interval.t1 <= t_max) out.push_back({interval.t1, index, interval.face1, part.inverse});
+}
+
+void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
+                             const Contact* contact, double t_max, std::vector<Offer>& out) {
+    crossings_.clear();
+    part.shape.crossings(ray.ray, crossings_);
+
+    const double magnitude =
+        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    const double zone_width = tolerance(scene_, magnitude);
+    // The zone: crossings at the origin, by their distance along the normal. They are a run of the
+    // sorted crossings.
+    const auto in_zone = [&](const geom::Crossing& crossing) {
+        const double distance = std::abs(crossing.t);
+        return distance <= zone_width ||
+               (distance <= 1e-3 * magnitude &&
+                distance * cosine(ray, part, crossing.face, crossing.t) <= zone_width);
+    };
+    std::size_t zone_end = crossings_.size();
+    while (zone_end > 0 && crossings_[zone_end - 1].t > 0.0 && !in_zone(crossings_[zone_end - 1]))
+        --zone_end;
+    std::size_t zone_begin = zone_end;
+    while (zone_begin > 0 && in_zone(crossings_[zone_begin - 1])) --zone_begin;
+
+    int depth_beyond = 0;  // how deep the line is inside just behind the zone
+    for (std::size_t i = zone_end; i < crossings_.size(); ++i)
+        depth_beyond += crossings_[i].entering ? -1 : 1;
+
+    const bool knows_side = part.is_member || contact != nullptr;
+    int depth = depth_beyond;
+    if (part.is_member) {
+        const int listed = ray.interior.depth(index);
+        depth = part.inverse ? 1 - listed : listed;
+    } else if (contact) {
+        depth = contact->starts_inside != part.inverse ? std::max(depth_beyond, 1) : 0;
+    }
+
+    // Of the zone, the shortest tail counts that brings the list's depth to the depth beyond.
+    std::size_t first = zone_end;
+    int tail_depth = depth_beyond;
+    while (tail_depth != depth && first > zone_begin) {
+        --first;
+        tail_depth += crossings_[first].entering ? -1 : 1;
+    }
+    if (tail_depth != depth && knows_side) {
+        // No tail fits: cross here as often as is missing.
+        if (part.is_member) {
+            statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
+        }
+        const geom::Face face = contact                 ? contact->face
+                                : zone_end > zone_begin ? crossings_[zone_begin].face
+                                : !crossings_.empty()   ? crossings_[0].face
+                                                        : 0;
+        const bool entering = depth_beyond > depth;
+        for (int n = std::abs(depth_beyond - depth); n > 0; --n) {
+            out.push_back({0.0, index, face, entering != part.inverse});
+        }
+        first = zone_end;
+    }
+    if (!knows_side) first = zone_end;
+    for (std::size_t i = first; i < crossings_.size(); ++i) {
+        const geom::Crossing& crossing = crossings_[i];
+        if (crossing.t > t_max) break;
+        out.push_back(
+            {std::max(crossing.t, 0.0), index, crossing.face, crossing.entering != part.inverse});
+    }
+}
+
+void Offers::collect_open(const TracedRay& ray, const Part& part, int index, const Contact* contact,
+                          double t_max, std::vector<Offer>& out) {
+    crossings_.clear();
+    part.shape.hits(ray.ray, crossings_);
+    const double magnitude =
+        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    for (const geom::Crossing& crossing : crossings_) {
+        if (!(crossing.t > 0.0)) continue;
+        if (crossing.t > t_max) break;
+        if (contact) {
+            // What a ray was born on it does not meet again.
+            if (crossing.face == contact->face) {
+                if (crossing.t <= 1e-6 * magnitude) continue;
+            }
+            if (crossing.t <= 1e-6 * magnitude &&
+                crossing.t * cosine(ray, part, crossing.face, crossing.t) <=
+                    tolerance(scene_, magnitude)) {
+                continue;
+            }
+        }
+        out.push_back({crossing.t, index, crossing.face, crossing.entering});
+    }
+}
+
+}  // namespace meniscus::tracer

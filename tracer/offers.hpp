@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "tracer/ray_state.hpp"
+#include "tracer/statistics.hpp"
+
+namespace meniscus::tracer {
+
+/// The contact tolerance: two crossings nearer than this, measured along the normal, are one.
+/// `magnitude` is M = largest coordinate of the origin + t + largest coordinate of the solid, the
+/// scale of all rounding errors at the crossing (docs/numerics.md).
+inline double tolerance(const RenderScene& scene, double magnitude) {
+    return std::max(16.0 * geom::unit_roundoff * magnitude, scene.contact_tolerance);
+}
+
+/// One crossing that a part offers to a ray, at t >= 0.
+struct Offer {
+    double t;
+    int part;
+    geom::Face face;
+    bool entering;  // the solid: for an inverse part this is leaving the shape
+};
+
+/// What a part offers to a ray whose list is known. No epsilon anywhere: a solid in the list can
+/// only be left, one that is not in it only be entered, and what lies behind the origin by rounding
+/// is taken to lie on it.
+class Offers {
+public:
+    Offers(const RenderScene& scene, Statistics& statistics)
+        : scene_(scene), statistics_(statistics) {}
+
+    /// Appends the crossings of `part` in [0, t_max], each with t clamped to 0 or more.
+    void collect(const TracedRay& ray, int part, double t_max, std::vector<Offer>& out);
+
+    /// M of a crossing of `part` at `t`.
+    double magnitude(const TracedRay& ray, int part, double t) const {
+        return geom::max_abs(ray.ray.origin) + t + scene_.parts[part].shape.magnitude();
+    }
+
+private:
+    void collect_convex(const TracedRay& ray, const Part& part, int index, const Contact* contact,
+                        double t_max, std::vector<Offer>& out);
+    void collect_general(const TracedRay& ray, const Part& part, int index, const Contact* contact,
+                         double t_max, std::vector<Offer>& out);
+    void collect_open(const TracedRay& ray, const Part& part, int index, const Contact* contact,
+                      double t_max, std::vector<Offer>& out);
+    double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
+    void count_forced(const TracedRay& ray, const Part& part, double disagreement);
+
+    const RenderScene& scene_;
+    Statistics& statistics_;
+    geom::Crossings crossings_;
+};
+
+}  // namespace meniscus::tracer

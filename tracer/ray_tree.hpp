@@ -1,0 +1,101 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tracer/next_event.hpp"
+#include "tracer/sampler.hpp"
+
+namespace meniscus::tracer {
+
+/// One segment of a recorded ray tree, for `inspect`.
+struct TreeNode {
+    enum class Branch { camera, reflected, refracted, straight };
+    enum class End { surface, escape, depth, weight };
+
+    int parent = -1;  // index of the node whose event made this ray
+    Branch branch = Branch::camera;
+    TracedRay start;
+    int level = 0;
+    double weight = 1.0;
+    scene::Rgb throughput{1.0};  // at the start
+    std::vector<Judged> crossings;
+    End end = End::escape;
+    Event event;  // if `end` is surface
+    double ior_before = 1.0, ior_after = 1.0;
+    double angle_degrees = 0.0;  // of incidence
+    scene::Rgb reflectance{0.0}, transmittance{0.0};
+    bool total_reflection = false;
+    bool is_surface = true;     // false: alike media under a clear skin, nothing to see
+    scene::Rgb own_color{0.0};  // the surface's own light, or the sky's, before throughput
+};
+using TreeRecord = std::vector<TreeNode>;
+
+/// What a camera ray met first, for image layers.
+struct FirstHit {
+    double distance = 0.0;  // 0: nothing
+    geom::Vec3 normal{0.0};
+    int object = -1;
+};
+
+/// Follows ray trees: scene to light along one camera ray. One for each thread.
+class RayTree {
+public:
+    RayTree(const RenderScene& scene, const Options& options, Statistics& statistics);
+
+    /// The light that comes back along a camera ray. `random` is asked in Tree::sampled only.
+    scene::Rgb radiance(const geom::Ray& camera_ray, RandomStream& random);
+    /// The same, for a ray that starts with a list.
+    scene::Rgb radiance(const TracedRay& ray, RandomStream& random);
+
+    EventFinder& events() { return finder_; }
+    FirstHit first_hit;            // of the latest radiance()
+    TreeRecord* record = nullptr;  // where to write the tree down, if anyone wants it
+
+private:
+    struct Pending {
+        TracedRay ray;
+        scene::Rgb throughput{1.0};
+        double weight = 1.0;    // POV-Ray's adc weight: specular factors only
+        int level = 0;          // surfaces behind it, as max_trace_level counts
+        bool straight = false;  // goes straight on through a surface that bends nothing: uses up no
+                                // level of its own
+        double way_before =
+            0.0;  // scene units already covered in this medium since the last surface
+        int parent = -1;
+        TreeNode::Branch branch = TreeNode::Branch::camera;
+    };
+
+    scene::Rgb follow(Pending first, RandomStream& random);
+    void step(Pending pending, RandomStream& random, scene::Rgb& sum);
+    void shade_clear(Pending& pending, const Event& event, int node, RandomStream& random);
+    void shade_textured(Pending& pending, const Event& event, int node, RandomStream& random,
+                        scene::Rgb& sum);
+    scene::Rgb lit(const TracedRay& ray, const Event& event, const geom::Vec3& normal,
+                   const scene::Texture& texture, const scene::Color& color);
+    scene::Rgb unshadowed(const TracedRay& ray, const Event& event, const geom::Vec3& direction,
+                          double distance, bool from_behind);
+    scene::Rgb sky(const geom::Vec3& direction, const scene::Interior& around) const;
+
+    Pending reflected(const Pending& parent, const Event& event, const geom::Vec3& shading_normal,
+                      int node) const;
+    Pending transmitted(const Pending& parent, const Event& event, const geom::Vec3& direction,
+                        bool straight, int node) const;
+    bool is_cut(const Pending& pending) const;
+    /// Puts what goes on into the stack: both branches, or in Tree::sampled one of them by chance
+    /// where the weight is low.
+    void branch(Pending& parent, std::optional<Pending> reflected, const scene::Rgb& reflectance,
+                double reflected_weight, std::optional<Pending> transmitted,
+                const scene::Rgb& transmittance, double transmitted_weight, RandomStream& random);
+
+    const RenderScene& scene_;
+    const Options& options_;
+    Statistics& statistics_;
+    EventFinder finder_;
+    std::vector<Pending> stack_;
+    Tree tree_;
+    int max_level_;
+    double min_weight_;
+};
+
+}  // namespace meniscus::tracer

@@ -1,0 +1,267 @@
+#include "tracer/render.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <mutex>
+
+#include "tracer/camera_rays.hpp"
+#include "tracer/film.hpp"
+
+namespace meniscus::tracer {
+namespace {
+
+constexpr int tile_size = 16;
+constexpr int most_samples = 4096;
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+class Stopwatch {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Worker {
+    Worker(const RenderScene& scene, const Options& options) : tree(scene, options, statistics) {}
+    Statistics statistics;
+    RayTree tree;
+};
+
+/// Runs passes over the film, tile by tile on all cores. A pixel belongs to one tile, so no result
+/// depends on threads.
+class Renderer {
+public:
+    Renderer(const RenderScene& scene, const Options& options)
+        : scene_(scene),
+          options_(options),
+          film_(options),
+          workers_([&] { return std::make_unique<Worker>(scene, options); }) {}
+
+    Film& film() { return film_; }
+    const Statistics& statistics() const { return statistics_; }
+    bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
+
+    void report(double share) {
+        if (!options_.progress) return;
+        const std::lock_guard lock(progress_mutex_);
+        options_.progress(std::min(share, 1.0));
+    }
+
+    /// Calls shade(tree, x, y) for every pixel. The finished share goes from `share_from` to
+    /// `share_to`.
+    template <class Shade>
+    void pass(double share_from, double share_to, Shade&& shade) {
+        const Region region = film_.region();
+        const int across = (film_.width() + tile_size - 1) / tile_size;
+        const int down = (film_.height() + tile_size - 1) / tile_size;
+        std::vector<Statistics> by_tile(std::size_t(across) * down);
+        std::atomic<int> finished = 0;
+        tbb::parallel_for(0, across * down, [&](int tile) {
+            if (interrupted()) return;
+            Worker& worker = *workers_.local();
+            worker.statistics = {};
+            const int x0 = region.x0 + tile % across * tile_size,
+                      y0 = region.y0 + tile / across * tile_size;
+            for (int y = y0; y < std::min(y0 + tile_size, region.y1); ++y) {
+                for (int x = x0; x < std::min(x0 + tile_size, region.x1); ++x)
+                    shade(worker.tree, x, y);
+            }
+            by_tile[tile] = worker.statistics;
+            report(share_from + (share_to - share_from) * ++finished / (across * down));
+        });
+        for (const Statistics& statistics : by_tile) statistics_.add(statistics);
+    }
+
+    scene::Rgb trace(RayTree& tree, int x, int y, double u, double v, std::uint64_t sample) {
+        const std::uint64_t pixel = std::uint64_t(y) * 0x100000000ull + std::uint64_t(x);
+        RandomStream random(mix(mix(mix(options_.seed) + pixel) + sample));
+        return tree.radiance(
+            camera_ray(scene_.source.camera, x + u, y + v, options_.width, options_.height),
+            random);
+    }
+
+    void add_grid(RayTree& tree, int x, int y, int k) {
+        Pixel& pixel = film_.at(x, y);
+        for (int j = 0; j < k; ++j) {
+            for (int i = 0; i < k; ++i) {
+                pixel.add(
+                    trace(tree, x, y, (i + 0.5) / k, (j + 0.5) / k, std::uint64_t(j) * k + i));
+                if (i == 0 && j == 0) pixel.first_hit = tree.first_hit;
+            }
+        }
+    }
+
+    /// Goes on in the pixel's own low-discrepancy set until it has `count` samples.
+    void add_samples(RayTree& tree, int x, int y, int count) {
+        Pixel& pixel = film_.at(x, y);
+        const std::uint64_t seed =
+            mix(mix(options_.seed ^ 0x5eed) + (std::uint64_t(y) << 32) + std::uint64_t(x));
+        while (pixel.samples < count) {
+            const std::uint32_t index = std::uint32_t(pixel.samples);
+            const geom::Vec2 at = sobol_point(index, seed);
+            const scene::Rgb light = trace(tree, x, y, at.x, at.y, index);
+            if (index == 0) pixel.first_hit = tree.first_hit;
+            pixel.add(light);
+        }
+    }
+
+    void render(const GridSampling& sampling, Rendered&) {
+        pass(0.0, 1.0, [&](RayTree& tree, int x, int y) { add_grid(tree, x, y, sampling.k); });
+    }
+
+    void render(const CountSampling& sampling, Rendered& result) {
+        if (sampling.samples == 1) return render(GridSampling{1}, result);
+        pass(0.0, 1.0,
+             [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, sampling.samples); });
+    }
+
+    /// Doubles the samples of every pixel whose estimated error is too large, until the picture's
+    /// is small enough.
+    void render(const ErrorSampling& sampling, Rendered& result) {
+        const double allowed = sampling.error * sampling.error;
+        pass(0.0, 0.3, [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, 8); });
+        double share = 0.3;
+        for (int round = 0; !interrupted(); ++round) {
+            const std::vector<double> errors = film_.squared_errors();
+            double sum = 0.0;
+            for (const double error : errors) sum += error;
+            result.estimated_error = std::sqrt(sum / double(errors.size()));
+            const bool reached = sum <= allowed * double(errors.size());
+            const Region region = film_.region();
+            const auto wants_more = [&](int x, int y) {
+                const std::size_t i = std::size_t(y - region.y0) * film_.width() + (x - region.x0);
+                return errors[i] > allowed && film_.at(x, y).samples < most_samples;
+            };
+            bool any = false;
+            for (int y = region.y0; y < region.y1 && !any; ++y) {
+                for (int x = region.x0; x < region.x1 && !any; ++x) any = wants_more(x, y);
+            }
+            if (reached || !any) break;
+            const double next_share = share + 0.5 * (1.0 - share);
+            pass(share, next_share, [&](RayTree& tree, int x, int y) {
+                if (wants_more(x, y)) add_samples(tree, x, y, 2 * film_.at(x, y).samples);
+            });
+            share = next_share;
+        }
+    }
+
+    /// Whole rounds over all pixels while there is time for one more; the count that was reached
+    /// makes the same picture again.
+    void render(const TimeSampling& sampling, Rendered& result) {
+        const Stopwatch watch;
+        int samples = 0;
+        for (int next = 2; !interrupted(); next = samples + std::max(1, samples / 2)) {
+            const double before = watch.seconds();
+            pass(std::min(1.0, before / sampling.seconds), std::min(1.0, before / sampling.seconds),
+                 [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, next); });
+            const double per_sample = (watch.seconds() - before) / (next - samples);
+            samples = next;
+            if (watch.seconds() + per_sample >= sampling.seconds || samples >= (1 << 20)) break;
+            const int affordable = int((sampling.seconds - watch.seconds()) / per_sample);
+            if (affordable < std::max(1, samples / 2)) {
+                pass(1.0, 1.0, [&](RayTree& tree, int x, int y) {
+                    add_samples(tree, x, y, samples + affordable);
+                });
+                samples += affordable;
+                break;
+            }
+        }
+        result.reproduce = {{"spp", std::to_string(samples)},
+                            {"tree", std::string(name(implied_tree(options_)))}};
+    }
+
+    /// POV-Ray's anti-aliasing: supersample pixels that differ from their left or upper neighbour.
+    void render(const ContrastSampling& sampling, Rendered&) {
+        pass(0.0, 0.5, [&](RayTree& tree, int x, int y) { add_grid(tree, x, y, 1); });
+        const Region region = film_.region();
+        std::vector<char> marked(std::size_t(film_.width()) * film_.height(), 0);
+        const auto index = [&](int x, int y) {
+            return std::size_t(y - region.y0) * film_.width() + (x - region.x0);
+        };
+        const auto contrast = [&](int x, int y, int u, int v) {
+            const scene::Rgb a = glm::clamp(film_.at(x, y).mean(), 0.0, 1.0),
+                             b = glm::clamp(film_.at(u, v).mean(), 0.0, 1.0);
+            const scene::Rgb d =
+                glm::abs(glm::pow(a, scene::Rgb{1.0 / 2.5}) - glm::pow(b, scene::Rgb{1.0 / 2.5}));
+            return d.r + d.g + d.b;
+        };
+        for (int y = region.y0; y < region.y1; ++y) {
+            for (int x = region.x0; x < region.x1; ++x) {
+                const bool left = x > region.x0 && contrast(x, y, x - 1, y) >= sampling.threshold;
+                const bool above = y > region.y0 && contrast(x, y, x, y - 1) >= sampling.threshold;
+                if (left || above || sampling.threshold <= 0.0) marked[index(x, y)] = 1;
+                if (left) marked[index(x - 1, y)] = 1;
+                if (above) marked[index(x, y - 1)] = 1;
+            }
+        }
+        pass(0.5, 1.0, [&](RayTree& tree, int x, int y) {
+            if (!marked[index(x, y)]) return;
+            if (sampling.method == 1) return add_grid(tree, x, y, sampling.depth);
+            // Method 2 at its full depth: corners and edges of the pixel too, by trapezoidal
+            // weights.
+            Pixel& pixel = film_.at(x, y);
+            const FirstHit first_hit = pixel.first_hit;
+            pixel = {};
+            pixel.first_hit = first_hit;
+            const int n = 1 << (sampling.depth - 1);
+            for (int j = 0; j <= n; ++j) {
+                for (int i = 0; i <= n; ++i) {
+                    const double weight = (i % n == 0 ? 0.5 : 1.0) * (j % n == 0 ? 0.5 : 1.0);
+                    pixel.add(trace(tree, x, y, double(i) / n, double(j) / n,
+                                    std::uint64_t(j) * (n + 1) + i),
+                              weight);
+                }
+            }
+        });
+    }
+
+private:
+    const RenderScene& scene_;
+    const Options& options_;
+    Film film_;
+    tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
+    Statistics statistics_;
+    std::mutex progress_mutex_;
+};
+
+}  // namespace
+
+Rendered render(const RenderScene& scene, const Options& options) {
+    std::optional<tbb::global_control> threads;
+    if (options.threads > 0) {
+        threads.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.threads));
+    }
+    const Stopwatch watch;
+    const double cpu_start = cpu_seconds();
+    Rendered result;
+    result.tree = implied_tree(options);
+    Renderer renderer(scene, options);
+    std::visit([&](const auto& sampling) { renderer.render(sampling, result); }, options.sampling);
+    result.statistics = renderer.statistics();
+    const Film& film = renderer.film();
+    const Region region = film.region();
+    for (int y = region.y0; y < region.y1; ++y) {
+        for (int x = region.x0; x < region.x1; ++x)
+            result.statistics.samples += std::uint64_t(film.at(x, y).samples);
+    }
+    result.picture = film.develop(options.layers);
+    result.interrupted = renderer.interrupted();
+    result.seconds = watch.seconds();
+    result.cpu_seconds = cpu_seconds() - cpu_start;
+    return result;
+}
+
+}  // namespace meniscus::tracer
