@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/diagnostics.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/povray_spelling.hpp"
+#include "cli/version.hpp"
+#include "image/file.hpp"
+#include "lang/diagnostic.hpp"
+
+namespace {
+
+using namespace meniscus;
+using cli::ExitCode;
+
+constexpr auto footer = R"(POV-Ray's spellings are understood as well:
+  +I +O +W +H +SC +SR +EC +ER +A +R +AM +FN +FN16 +FE +WT +L -A -D, Declare=NAME=VALUE and the like.
+
+Exit codes: 0 done, 1 our fault, 2 the scene or an option is wrong, 3 a file cannot be read or written,
+  4 a comparison, --strict or check found something, 130 interrupted.)";
+
+ExitCode run(const std::vector<std::string>& arguments) {
+    CLI::App app{
+        "Meniscus renders solids that touch, overlap and nest: a ray tracer for glass in water in "
+        "glass.",
+        "meniscus"};
+    app.set_version_flag("--version", fmt::format("meniscus {}", cli::version));
+    app.set_help_all_flag("--help-all", "The options of all subcommands");
+    app.require_subcommand(1);
+    app.footer(footer);
+    const std::vector<cli::Command> commands = {
+        cli::make_render_command(app),
+    };
+    try {
+        auto words = cli::translate_povray_spellings(arguments);
+        std::ranges::reverse(words);  // CLI11 takes them from the back
+        app.parse(std::move(words));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return ExitCode(app.exit(error));
+        throw cli::UsageError(error.what());
+    }
+    const auto chosen = std::ranges::find_if(
+        commands, [](const cli::Command& command) { return command.app->parsed(); });
+    return chosen->run();
+}
+
+ExitCode run_and_report(const std::vector<std::string>& arguments) {
+    try {
+        return run(arguments);
+    } catch (const cli::UsageError& error) {
+        cli::print_error(fmt::format("{}; see meniscus --help-all", error.what()));
+        return ExitCode::wrong_input;
+    } catch (const lang::FileError& error) {
+        cli::print_diagnostic(lang::format(error));
+        return ExitCode::file_failed;
+    } catch (const lang::SourceError& error) {
+        cli::print_diagnostic(lang::format(error));
+        return ExitCode::wrong_input;
+    } catch (const image::FileError& error) {
+        cli::print_error(error.what());
+        return ExitCode::file_failed;
+    } catch (const std::exception& error) {
+        cli::print_error(fmt::format("internal error: {}", error.what()));
+        return ExitCode::our_fault;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    cli::ignore_broken_pipes();
+    return int(run_and_report({argv + 1, argv + argc}));
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/save.hpp"
+
+namespace meniscus::cli {
+
+/// Where a picture goes, and in what form.
+struct PictureOptions {
+    std::string output;  // empty: the scene's name in the working directory; "-": standard output
+    std::string format;  // empty: by the output's extension
+    std::optional<int> bits;
+    std::string encoding;  // empty: as the scene asks
+    bool half = false;
+    std::vector<std::string> layers;
+};
+
+void add_picture_options(CLI::App& app, PictureOptions& options);
+
+struct PictureTarget {
+    std::filesystem::path path;
+    image::SaveOptions save;
+    bool layers = false;
+};
+
+/// `stem` names the picture where the options do not. Throws `UsageError` for forms that do not go
+/// together.
+PictureTarget make_target(const PictureOptions& options, const std::string& stem);
+
+}  // namespace meniscus::cli

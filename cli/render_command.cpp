@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/diagnostics.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/picture_options.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/tracer_options.hpp"
+#include "cli/version.hpp"
+#include "tracer/render.hpp"
+
+namespace meniscus::cli {
+namespace {
+
+struct RenderOptions {
+    SceneOptions scene;
+    TracerOptions tracer;
+    PictureOptions picture;
+    std::string json;  // a file, or "-"
+    bool strict = false, quiet = false;
+};
+
+/// `--depth` without `--tree full` or `sampled` means the bits of a PNG.
+void resolve_depth(RenderOptions& options) {
+    const bool has_path_depth = options.tracer.tree == "full" || options.tracer.tree == "sampled";
+    const auto depth = options.tracer.depth;
+    if (!depth || has_path_depth) return;
+    if (depth != 8 && depth != 16)
+        throw UsageError(fmt::format(
+            "--depth {} of a path needs --tree full or sampled; a PNG has --depth 8 or 16",
+            *depth));
+    if (options.picture.bits && options.picture.bits != depth)
+        throw UsageError(fmt::format("--bits {} and --depth {} contradict each other",
+                                     *options.picture.bits, *depth));
+    options.picture.bits = depth;
+    options.tracer.depth.reset();
+}
+
+image::Metadata make_metadata(const Report& report) {
+    image::Metadata metadata{
+        {"Software", fmt::format("Meniscus {}", version)},
+        {"Scene", report.scene},
+        {"Options", report.options},
+        {"Tree", std::string(name(report.rendered.tree))},
+        {"Samples", std::to_string(report.rendered.statistics.samples)},
+    };
+    std::string reproduce;
+    for (const auto& [option, value] : report.rendered.reproduce)
+        reproduce += fmt::format("{}--{} {}", reproduce.empty() ? "" : " ", option, value);
+    if (!reproduce.empty()) metadata["Reproduce"] = reproduce;
+    if (report.rendered.interrupted) metadata["Interrupted"] = "yes";
+    return metadata;
+}
+
+ExitCode run(RenderOptions options) {
+    resolve_depth(options);
+    auto target = make_target(options.picture, options.scene.stem());
+    auto tracer_options = make_tracer_options(options.tracer, options.scene);
+    tracer_options.layers = target.layers;
+    tracer_options.check_segments = options.strict;
+    if (target.path == image::standard_stream && options.json == image::standard_stream)
+        throw UsageError("the picture and --json cannot both go to standard output");
+    image::check_writable(target.path);
+    if (!options.json.empty()) image::check_writable(options.json);
+
+    Stopwatch stopwatch;
+    auto interpreted = read_scene(options.scene);
+    const auto parse = stopwatch.lap();
+    if (interpreted.scene.settings.raw_output && options.picture.encoding.empty())
+        target.save.png.encoding = image::Encoding::raw;
+    const auto render_scene = tracer::compile(std::move(interpreted.scene));
+    const auto build = stopwatch.lap();
+
+    Progress progress;
+    if (!options.quiet) tracer_options.progress = [&](double share) { progress.show(share); };
+    const InterruptGuard interrupt;
+    tracer_options.interrupted = &interrupt.flag();
+    const auto rendered = tracer::render(render_scene, tracer_options);
+    const auto render = stopwatch.lap();
+    progress.finish();
+
+    const Report report{options.scene.file_name(),
+                        canonical_options(tracer_options),
+                        tracer_options.width,
+                        tracer_options.height,
+                        parse,
+                        build,
+                        render,
+                        render_scene,
+                        rendered,
+                        interpreted.warnings};
+    image::save(rendered.picture, target.path, target.save, make_metadata(report));
+    if (!options.json.empty()) image::write_file(options.json, format_json(report));
+    if (!options.quiet) fmt::print(stderr, "{}", format_statistics(report));
+
+    if (rendered.interrupted) {
+        print_error("interrupted; the picture so far is saved");
+        return ExitCode::interrupted;
+    }
+    if (options.strict && rendered.statistics.leaks > 0) {
+        print_error(fmt::format("{} leaks (--strict)", rendered.statistics.leaks));
+        return ExitCode::check_failed;
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Command make_render_command(CLI::App& app) {
+    auto* command = app.add_subcommand("render", "Render a scene to a picture");
+    const auto options = std::make_shared<RenderOptions>();
+    add_scene_options(*command, options->scene);
+    add_picture_options(*command, options->picture);
+    add_tracer_options(*command, options->tracer);
+    command
+        ->add_option("--json", options->json, "Write what was done, as JSON; - is standard output")
+        ->type_name("FILE|-");
+    command->add_flag("--strict", options->strict,
+                      "Check each ray's way through the solids; a leak is exit code 4");
+    command->add_flag("--quiet", options->quiet, "No progress, no statistics");
+    return {command, [options] { return run(*options); }};
+}
+
+}  // namespace meniscus::cli

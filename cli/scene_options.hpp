@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "lang/interpret.hpp"
+
+namespace meniscus::cli {
+
+/// Which scene to read, and what its text depends on.
+struct SceneOptions {
+    std::string scene;  // "-" is standard input
+    int width = 640, height = 480;
+    std::vector<std::string> declarations;  // NAME=VALUE
+    std::vector<std::string> library_paths;
+
+    /// "glass.scene" of "scenes/glass.scene"; "stdin" of "-".
+    std::string file_name() const;
+    /// The file name without its extension.
+    std::string stem() const;
+};
+
+void add_scene_options(CLI::App& app, SceneOptions& options);
+
+/// Warnings go to standard error.
+lang::Interpreted read_scene(const SceneOptions& options);
+
+}  // namespace meniscus::cli
