@@ -85,7 +85,7 @@ double Cone::magnitude() const {
 
 Interval Cone::interval(const Ray& ray, Face pin) const {
     const Axis axis(base, cap);
-    const AxialRay local(ray, axis);
+    const AxialRay local = axial(ray, axis);
     Interval result = between_caps(local, axis.length, pin, base_face, cap_face);
     const SideSpan side =
         side_span(local, side_line(*this, axis.length), axis.length, pin == side_face);
@@ -96,7 +96,7 @@ Interval Cone::interval(const Ray& ray, Face pin) const {
 
 void Cone::hits(const Ray& ray, Crossings& out) const {
     const Axis axis(base, cap);
-    const AxialRay local(ray, axis);
+    const AxialRay local = axial(ray, axis);
     const SideSpan side = side_span(local, side_line(*this, axis.length), axis.length, false);
     if (!side.exists) return;
     for (const double t : {side.low, side.high}) {

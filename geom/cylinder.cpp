@@ -39,7 +39,7 @@ Bounds Cylinder::bounds() const {
 
 Interval Cylinder::interval(const Ray& ray, Face pin) const {
     const Axis axis(base, cap);
-    const AxialRay local(ray, axis);
+    const AxialRay local = axial(ray, axis);
     Interval result = between_caps(local, axis.length, pin, base_face, cap_face);
     if (is_parallel(local)) {
         const double distance2 = glm::dot(local.across_e, local.across_e);
@@ -54,7 +54,7 @@ Interval Cylinder::interval(const Ray& ray, Face pin) const {
 
 void Cylinder::hits(const Ray& ray, Crossings& out) const {
     const Axis axis(base, cap);
-    const AxialRay local(ray, axis);
+    const AxialRay local = axial(ray, axis);
     if (is_parallel(local)) return;
     const SideRoots roots = side_roots(local, radius, false);
     if (!roots.exist) return;

@@ -30,17 +30,17 @@ struct AxialPoint {
 
 /// A ray taken apart in the same way: e is the vector from the base to its origin, d its direction.
 struct AxialRay {
-    double along_e, along_d;
-    Vec3 across_e, across_d;
-
-    AxialRay(const Ray& ray, const Axis& axis) {
-        const Vec3 e = ray.from(axis.base);
-        along_e = glm::dot(e, axis.direction);
-        along_d = glm::dot(ray.direction, axis.direction);
-        across_e = e - along_e * axis.direction;
-        across_d = ray.direction - along_d * axis.direction;
-    }
+    double along_e = 0.0, along_d = 0.0;
+    Vec3 across_e{0.0}, across_d{0.0};
 };
+
+inline AxialRay axial(const Ray& ray, const Axis& axis) {
+    const Vec3 e = ray.from(axis.base);
+    const double along_e = glm::dot(e, axis.direction);
+    const double along_d = glm::dot(ray.direction, axis.direction);
+    return {along_e, along_d, e - along_e * axis.direction,
+            ray.direction - along_d * axis.direction};
+}
 
 /// The unit vector from the axis to the point; any one across where the point is on the axis.
 Vec3 unit_across(const AxialPoint& p, const Axis& axis);

@@ -13,6 +13,8 @@ public:
     /// a sphere).
     PlacedShape(Shape shape, const Transform& transform);
 
+    /// The shape, in the frame from which `transform` leads to the world: the identity if it could
+    /// be taken in.
     const Shape& shape() const { return shape_; }
     const Transform& transform() const { return transform_; }
     bool is_closed() const { return closed_; }
@@ -32,8 +34,8 @@ public:
     int depth_at(const Vec3& p) const;
 
 private:
-    Shape shape_;
     Transform transform_;
+    Shape shape_;
     Bounds bounds_;
     double magnitude_;
     bool closed_, convex_;

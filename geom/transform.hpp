@@ -24,6 +24,7 @@ public:
     Transform inverse() const;
 
     bool is_identity() const { return identity_; }
+    bool is_translation() const { return translation_; }
     const Mat3& linear() const { return linear_; }
     const Mat3& inverse_linear() const { return inverse_linear_; }
     const Vec3& shift() const { return shift_; }
@@ -43,6 +44,7 @@ private:
     Mat3 linear_{1.0}, inverse_linear_{1.0};
     Vec3 shift_{0.0};
     double largest_scale_ = 1.0;
+    bool translation_ = true;  // linear_ is exactly 1
     bool identity_ = true;
 };
 

@@ -78,6 +78,16 @@ public:
     Vec3 on_face(Face face, const Vec3& p) const;
 
 private:
+    void weld(TriangleSoup& soup);
+    void build_hierarchy();
+    void orient();
+    void orient_by_nesting(const std::vector<std::uint32_t>& part_of, std::size_t parts);
+    void turn_shells_outward(const std::vector<std::uint32_t>& part_of, std::size_t parts);
+    void flip(std::size_t triangle);
+    double volume_under(std::size_t triangle) const;
+    template <class Visit>
+    void visit_hits(const Ray& ray, Visit&& visit) const;
+
     std::vector<Vec3> positions_;
     std::vector<TriangleIndices> triangles_;  // in the order of the hierarchy's leaves
     std::vector<Vec3> normals_;

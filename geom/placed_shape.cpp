@@ -1,0 +1,162 @@
+#include "geom/placed_shape.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace meniscus::geom {
+
+namespace {
+
+/// The factor by which a similarity scales: nothing if the map is not one.
+std::optional<double> similarity_scale(const Mat3& m) {
+    const double tolerance = 8.0 * unit_roundoff;
+    const double xx = glm::dot(m[0], m[0]), yy = glm::dot(m[1], m[1]), zz = glm::dot(m[2], m[2]);
+    const double skew =
+        glm::max(glm::abs(glm::dot(m[0], m[1])),
+                 glm::max(glm::abs(glm::dot(m[1], m[2])), glm::abs(glm::dot(m[2], m[0]))));
+    if (glm::abs(yy - xx) > tolerance * xx || glm::abs(zz - xx) > tolerance * xx ||
+        skew > tolerance * xx) {
+        return std::nullopt;
+    }
+    // A rotation's 0.9999999999999999 means 1.
+    return glm::abs(xx - 1.0) <= tolerance ? 1.0 : glm::sqrt(xx);
+}
+
+/// Whether each axis is taken to an axis.
+bool keeps_axes(const Mat3& m) {
+    for (int i = 0; i < 3; ++i) {
+        if ((m[i].x != 0.0) + (m[i].y != 0.0) + (m[i].z != 0.0) != 1) return false;
+    }
+    return true;
+}
+
+/// Whether the point moves without rounding.
+bool moves_exactly(const Transform& transform, const Vec3& p) {
+    return transform.to_local(Ray{transform.point(p)}).from(p) == Vec3{0.0} &&
+           transform.is_translation();
+}
+
+// Each returns whether it could take the transform into the shape's own numbers.
+
+bool take_in(Sphere& sphere, const Transform& transform) {
+    const auto scale = similarity_scale(transform.linear());
+    if (!scale) return false;
+    sphere.center = transform.point(sphere.center);
+    sphere.radius *= *scale;
+    return true;
+}
+
+bool take_in(Box& box, const Transform& transform) {
+    if (!keeps_axes(transform.linear())) return false;
+    box.corner1 = transform.point(box.corner1);
+    box.corner2 = transform.point(box.corner2);
+    return true;
+}
+
+bool take_in(Plane& plane, const Transform& transform) {
+    const Vec3 n = plane.normal(0, Vec3{0.0});
+    const Vec3 anchor = transform.point(plane.distance * n);
+    plane.direction = glm::normalize(transform.normal(n));
+    plane.distance = glm::dot(anchor, plane.direction);
+    return true;
+}
+
+bool take_in(Triangle& triangle, const Transform& transform) {
+    for (Vec3 Triangle::*corner : {&Triangle::a, &Triangle::b, &Triangle::c}) {
+        triangle.*corner = transform.point(triangle.*corner);
+    }
+    for (Vec3 Triangle::*normal : {&Triangle::na, &Triangle::nb, &Triangle::nc}) {
+        triangle.*normal = transform.normal(triangle.*normal);
+    }
+    if (glm::determinant(transform.linear()) < 0.0) {
+        std::swap(triangle.b, triangle.c);
+        std::swap(triangle.nb, triangle.nc);
+    }
+    return true;
+}
+
+/// Cylinders and cones: their axis must not turn by a rounding error, or coaxial ones would no
+/// longer be so.
+template <class Round>
+requires requires(Round r) { r.base, r.cap; }
+bool take_in(Round& shape, const Transform& transform) {
+    if (!moves_exactly(transform, shape.base) || !moves_exactly(transform, shape.cap)) return false;
+    shape.base = transform.point(shape.base);
+    shape.cap = transform.point(shape.cap);
+    return true;
+}
+
+bool take_in(Disc& disc, const Transform& transform) {
+    if (!moves_exactly(transform, disc.center)) return false;
+    disc.center = transform.point(disc.center);
+    return true;
+}
+
+/// Those that stay in their own frame: about the y axis, or shared.
+template <class Other>
+bool take_in(Other&, const Transform&) {
+    return false;
+}
+
+Shape taken_in(Shape shape, Transform& transform) {
+    if (transform.is_identity()) return shape;
+    if (std::visit([&](auto& s) { return take_in(s, transform); }, shape)) transform = Transform{};
+    return shape;
+}
+
+}  // namespace
+
+PlacedShape::PlacedShape(Shape shape, const Transform& transform)
+    : transform_(transform),
+      shape_(taken_in(std::move(shape), transform_)),
+      bounds_(transform_.bounds(geom::bounds(shape_))),
+      magnitude_(geom::magnitude(shape_)),
+      closed_(geom::is_closed(shape_)),
+      convex_(geom::is_convex(shape_)) {
+    if (!transform_.is_identity()) {
+        magnitude_ = magnitude_ * transform_.largest_scale() + 2.0 * max_abs(transform_.shift());
+    }
+}
+
+Interval PlacedShape::interval(const Ray& ray, Face pin) const {
+    if (transform_.is_identity()) return geom::interval(shape_, ray, pin);
+    return geom::interval(shape_, transform_.to_local(ray), pin);
+}
+
+void PlacedShape::crossings(const Ray& ray, Crossings& out) const {
+    if (transform_.is_identity()) return geom::crossings(shape_, ray, out);
+    geom::crossings(shape_, transform_.to_local(ray), out);
+}
+
+void PlacedShape::hits(const Ray& ray, Crossings& out) const {
+    if (transform_.is_identity()) return geom::hits(shape_, ray, out);
+    geom::hits(shape_, transform_.to_local(ray), out);
+}
+
+Vec3 PlacedShape::normal(Face face, const Vec3& p) const {
+    if (transform_.is_identity()) return geom::normal(shape_, face, p);
+    return glm::normalize(transform_.normal(geom::normal(shape_, face, transform_.to_local(p))));
+}
+
+Vec3 PlacedShape::shading_normal(Face face, const Vec3& p) const {
+    if (transform_.is_identity()) return geom::shading_normal(shape_, face, p);
+    return glm::normalize(
+        transform_.normal(geom::shading_normal(shape_, face, transform_.to_local(p))));
+}
+
+Vec3 PlacedShape::on_face(Face face, const Vec3& p) const {
+    if (transform_.is_identity()) return geom::on_face(shape_, face, p);
+    // Moving the correction instead of the point keeps the digits of a far place.
+    const Vec3 local = transform_.to_local(p);
+    return p + transform_.vector(geom::on_face(shape_, face, local) - local);
+}
+
+bool PlacedShape::contains(const Vec3& p) const {
+    return geom::contains(shape_, transform_.to_local(p));
+}
+
+int PlacedShape::depth_at(const Vec3& p) const {
+    return geom::depth_at(shape_, transform_.to_local(p));
+}
+
+}  // namespace meniscus::geom

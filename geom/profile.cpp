@@ -1,0 +1,247 @@
+#include "geom/profile.hpp"
+
+#include <stdexcept>
+
+#include "geom/polynomial.hpp"
+
+namespace meniscus::geom {
+
+namespace {
+
+constexpr double end_of_u = 1.0;
+
+std::array<double, 4> component(const std::array<Vec2, 4>& c, int axis) {
+    return {c[0][axis], c[1][axis], c[2][axis], c[3][axis]};
+}
+
+/// Where a coordinate of the piece stands still, within (0, 1).
+Roots still_points(const ProfilePiece& piece, int axis) {
+    const std::array<double, 3> slope{piece.c[1][axis], 2.0 * piece.c[2][axis],
+                                      3.0 * piece.c[3][axis]};
+    Roots roots = roots_between(slope, 0.0, end_of_u);
+    if (slope[2] == 0.0 && slope[1] != 0.0) {
+        roots = roots_between(std::span{slope}.first<2>(), 0.0, end_of_u);
+    }
+    return roots;
+}
+
+ProfilePiece make_piece(const std::array<Vec2, 4>& c, const Vec2& start, const Vec2& end) {
+    ProfilePiece piece{
+        .c = c, .start = start, .end = end, .straight = false, .low = {}, .high = {}};
+    piece.straight = c[2] == Vec2{0.0} && c[3] == Vec2{0.0};
+    if (piece.straight) {
+        const Vec2 along = glm::normalize(end - start);
+        piece.line = {along.y, -along.x, along.y * start.x - along.x * start.y};
+    }
+    piece.low = glm::min(start, end);
+    piece.high = glm::max(start, end);
+    for (int axis = 0; axis < 2; ++axis) {
+        for (const double u : still_points(piece, axis)) {
+            piece.low[axis] = glm::min(piece.low[axis], piece.at(u)[axis]);
+            piece.high[axis] = glm::max(piece.high[axis], piece.at(u)[axis]);
+        }
+    }
+    return piece;
+}
+
+ProfilePiece straight_piece(const Vec2& p, const Vec2& q) {
+    return make_piece({p, q - p, Vec2{0.0}, Vec2{0.0}}, p, q);
+}
+
+ProfilePiece quadratic_piece(const Vec2& before, const Vec2& p, const Vec2& q) {
+    return make_piece({p, 0.5 * (q - before), 0.5 * before - p + 0.5 * q, Vec2{0.0}}, p, q);
+}
+
+/// Catmull-Rom.
+ProfilePiece cubic_piece(const Vec2& before, const Vec2& p, const Vec2& q, const Vec2& after) {
+    return make_piece({p, 0.5 * (q - before), before - 2.5 * p + 2.0 * q - 0.5 * after,
+                       -0.5 * before + 1.5 * p - 1.5 * q + 0.5 * after},
+                      p, q);
+}
+
+ProfilePiece bezier_piece(const Vec2& p, const Vec2& p1, const Vec2& p2, const Vec2& q) {
+    return make_piece({p, 3.0 * (p1 - p), 3.0 * (p - 2.0 * p1 + p2), (q - p) + 3.0 * (p1 - p2)}, p,
+                      q);
+}
+
+void require(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+double ProfilePiece::nearest(const Vec2& p) const {
+    if (straight) {
+        const Vec2 along = end - start;
+        return glm::clamp(glm::dot(p - start, along) / glm::dot(along, along), 0.0, 1.0);
+    }
+    // (c(u) - p) . c'(u) = 0
+    std::array<double, 6> product{};
+    for (int axis = 0; axis < 2; ++axis) {
+        auto value = component(c, axis);
+        value[0] -= p[axis];
+        for (int i = 0; i < 4; ++i) {
+            for (int j = 1; j < 4; ++j) product[i + j - 1] += value[i] * j * component(c, axis)[j];
+        }
+    }
+    Roots tries = roots_between(product, 0.0, 1.0);
+    tries.push_back(0.0);
+    tries.push_back(1.0);
+    double best = 0.0, best_distance = infinity;
+    for (const double u : tries) {
+        const Vec2 e = at(u) - p;
+        if (const double distance = glm::dot(e, e); distance < best_distance) {
+            best = u;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+Vec2 ProfilePiece::normal(double u) const {
+    Vec2 along = straight ? end - start : tangent(u);
+    // At a cusp: the direction just inside the piece.
+    const double scale = glm::length(high - low);
+    for (double step = 1e-6; glm::length(along) < 1e-9 * scale && step < 0.1; step *= 10.0) {
+        along = tangent(u < 0.5 ? u + step : u - step);
+    }
+    const double length = glm::length(along);
+    if (!(length > 0.0)) return {outward, 0.0};
+    return outward * Vec2{along.y, -along.x} / length;
+}
+
+Profile::Profile(Spline spline, const std::vector<Vec2>& p) {
+    const std::size_t n = p.size();
+    switch (spline) {
+        case Spline::linear:
+            require(n >= 2, "a lathe with a linear_spline needs at least two points");
+            for (std::size_t i = 0; i + 1 < n; ++i) {
+                if (p[i] != p[i + 1]) pieces_.push_back(straight_piece(p[i], p[i + 1]));
+            }
+            break;
+        case Spline::quadratic:
+            require(n >= 3, "a lathe with a quadratic_spline needs at least three points");
+            for (std::size_t i = 1; i + 1 < n; ++i) {
+                if (p[i] != p[i + 1]) pieces_.push_back(quadratic_piece(p[i - 1], p[i], p[i + 1]));
+            }
+            break;
+        case Spline::cubic:
+            require(n >= 4, "a lathe with a cubic_spline needs at least four points");
+            for (std::size_t i = 1; i + 2 < n; ++i) {
+                if (p[i] != p[i + 1]) {
+                    pieces_.push_back(cubic_piece(p[i - 1], p[i], p[i + 1], p[i + 2]));
+                }
+            }
+            break;
+        case Spline::bezier:
+            require(n >= 4 && n % 4 == 0, "a lathe with a bezier_spline needs four points a piece");
+            for (std::size_t i = 0; i + 3 < n; i += 4) {
+                const bool is_point = p[i] == p[i + 1] && p[i] == p[i + 2] && p[i] == p[i + 3];
+                if (!is_point) pieces_.push_back(bezier_piece(p[i], p[i + 1], p[i + 2], p[i + 3]));
+            }
+            break;
+    }
+    require(!pieces_.empty(), "all points of a lathe are the same");
+
+    low_ = pieces_[0].low;
+    high_ = pieces_[0].high;
+    for (const ProfilePiece& piece : pieces_) {
+        low_ = glm::min(low_, piece.low);
+        high_ = glm::max(high_, piece.high);
+    }
+    size_ = glm::max(high_.x, high_.y - low_.y);
+    for (const Vec2& q : {low_, high_}) {
+        require(glm::abs(q.x) < infinity && glm::abs(q.y) < infinity,
+                "a point of a lathe is not finite");
+    }
+    require(low_.x > -1e-3 * size_,
+            "a lathe's profile crosses the axis: its radius must not be negative");
+
+    close_chains();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) add_stretches(i);
+    if (closed_) {
+        for (ProfilePiece& piece : pieces_) find_outward_side(piece);
+    }
+}
+
+/// Ends that differ by rounding only are made the same; then each chain of pieces must close, alone
+/// or through the axis.
+void Profile::close_chains() {
+    const double rounding = 1e-12 * size_;
+    const auto same = [&](const Vec2& a, const Vec2& b) { return glm::length(a - b) <= rounding; };
+    closed_ = true;
+    for (std::size_t first = 0, last; first < pieces_.size(); first = last + 1) {
+        last = first;
+        while (last + 1 < pieces_.size() && same(pieces_[last].end, pieces_[last + 1].start)) {
+            pieces_[last + 1].start = pieces_[last].end;
+            ++last;
+        }
+        Vec2 &start = pieces_[first].start, &end = pieces_[last].end;
+        if (same(start, end)) {
+            end = start;
+        } else if (!(glm::abs(start.x) <= rounding && glm::abs(end.x) <= rounding)) {
+            closed_ = false;
+        }
+    }
+}
+
+void Profile::add_stretches(std::size_t index) {
+    const ProfilePiece& piece = pieces_[index];
+    Roots stops = still_points(piece, 1);
+    stops.push_back(1.0);
+    double from = 0.0, y_from = piece.start.y;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const double to = stops[i];
+        const double y_to = i + 1 == stops.size() ? piece.end.y : piece.at(to).y;
+        Stretch stretch{index, from, to, y_from, y_to, 0.0, 0.0};
+        const double x0 = from == 0.0 ? piece.start.x : piece.at(from).x;
+        const double x1 = to == 1.0 ? piece.end.x : piece.at(to).x;
+        stretch.least_x = glm::min(x0, x1);
+        stretch.greatest_x = glm::max(x0, x1);
+        for (const double u : still_points(piece, 0)) {
+            if (u > from && u < to) {
+                stretch.least_x = glm::min(stretch.least_x, piece.at(u).x);
+                stretch.greatest_x = glm::max(stretch.greatest_x, piece.at(u).x);
+            }
+        }
+        stretches_.push_back(stretch);
+        from = to;
+        y_from = y_to;
+    }
+}
+
+bool Profile::contains(const Vec2& p) const {
+    bool inside = false;
+    for (const Stretch& s : stretches_) {
+        // Half open, so that a line through a joint counts once.
+        if ((s.y_from <= p.y) == (s.y_to <= p.y) || p.x >= s.greatest_x) continue;
+        if (p.x >= s.least_x) {
+            const ProfilePiece& piece = pieces_[s.piece];
+            if (piece.straight) {
+                const Vec2 along = piece.end - piece.start, e = p - piece.start;
+                if ((along.x * e.y - along.y * e.x > 0.0) != (along.y > 0.0)) continue;
+            } else {
+                auto height = component(piece.c, 1);
+                height[0] -= p.y;
+                if (p.x >= piece.at(root_in_bracket(height, s.from, s.to)).x) continue;
+            }
+        }
+        inside = !inside;
+    }
+    return inside;
+}
+
+void Profile::find_outward_side(ProfilePiece& piece) const {
+    piece.outward = 1.0;
+    for (const double step : {1e-7, 1e-5, 1e-3, 1e-9}) {
+        for (const double u : {0.5, 0.3, 0.7, 0.1, 0.9}) {
+            const Vec2 p = piece.at(u), n = step * size_ * piece.normal(u);
+            const bool inside_left = contains(p + n), inside_right = contains(p - n);
+            if (inside_left == inside_right) continue;
+            if (inside_left) piece.outward = -1.0;
+            return;
+        }
+    }
+}
+
+}  // namespace meniscus::geom
