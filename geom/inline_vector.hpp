@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace meniscus::geom {
@@ -13,6 +14,24 @@ template <class T, std::size_t N>
 requires std::is_trivially_copyable_v<T>
 class InlineVector {
 public:
+    InlineVector() = default;
+    InlineVector(const InlineVector& other) : size_(other.size_), spilled_(other.spilled_) {
+        if (spilled_.empty()) std::copy_n(other.inline_.data(), size_, inline_.data());
+    }
+    InlineVector(InlineVector&& other) noexcept
+        : size_(other.size_), spilled_(std::move(other.spilled_)) {
+        if (spilled_.empty()) std::copy_n(other.inline_.data(), size_, inline_.data());
+        other.spilled_.clear();
+        other.size_ = 0;
+    }
+    InlineVector& operator=(InlineVector other) noexcept {
+        size_ = other.size_;
+        spilled_ = std::move(other.spilled_);
+        if (spilled_.empty()) std::copy_n(other.inline_.data(), size_, inline_.data());
+        return *this;
+    }
+    ~InlineVector() = default;
+
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
 
