@@ -27,6 +27,17 @@ constexpr auto footer = R"(POV-Ray's spellings are understood as well:
 Exit codes: 0 done, 1 our fault, 2 the scene or an option is wrong, 3 a file cannot be read or written,
   4 a comparison, --strict or check found something, 130 interrupted.)";
 
+/// CLI11 would only say that a subcommand is required.
+void check_command(const std::vector<std::string>& words, const std::vector<cli::Command>& known) {
+    if (words.empty()) throw cli::UsageError("no command is given");
+    if (words.front().starts_with('-')) return;
+    std::vector<std::string> names;
+    for (const auto& command : known) names.push_back(command.app->get_name());
+    if (std::ranges::find(names, words.front()) == names.end())
+        throw cli::UsageError(fmt::format("'{}' is not a command; there are: {}", words.front(),
+                                          fmt::join(names, ", ")));
+}
+
 ExitCode run(const std::vector<std::string>& arguments) {
     CLI::App app{
         "Meniscus renders solids that touch, overlap and nest: a ray tracer for glass in water in "
@@ -39,8 +50,9 @@ ExitCode run(const std::vector<std::string>& arguments) {
     const std::vector<cli::Command> commands = {
         cli::make_render_command(app),
     };
+    auto words = cli::translate_povray_spellings(arguments);
+    check_command(words, commands);
     try {
-        auto words = cli::translate_povray_spellings(arguments);
         std::ranges::reverse(words);  // CLI11 takes them from the back
         app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
@@ -56,7 +68,7 @@ ExitCode run_and_report(const std::vector<std::string>& arguments) {
     try {
         return run(arguments);
     } catch (const cli::UsageError& error) {
-        cli::print_error(fmt::format("{}; see meniscus --help-all", error.what()));
+        cli::print_error(fmt::format("{}; see meniscus --help", error.what()));
         return ExitCode::wrong_input;
     } catch (const lang::FileError& error) {
         cli::print_diagnostic(lang::format(error));

@@ -91,28 +91,29 @@ void add_tracer_options(CLI::App& app, TracerOptions& o) {
         ->expected(4)
         ->group("Picture");
 
-    auto* samplings = app.add_option_group("Sampling (one of; default --aa 0.01)");
-    samplings->require_option(0, 1);
-    samplings
-        ->add_option("--spp", o.samples,
-                     "Samples a pixel: a low-discrepancy set; 1 is the pixel centre")
-        ->check(CLI::Range(1, 1 << 24))
-        ->type_name("N");
-    samplings->add_option("--grid", o.grid, "The K x K midpoints of a pixel")
-        ->check(CLI::Range(1, 1 << 12))
-        ->type_name("K");
-    samplings->add_option("--aa", o.error, "Adaptive, to this error (root mean square)")
-        ->check(positive())
-        ->type_name("ERROR");
-    samplings->add_option("--time", o.seconds, "As many samples as S seconds allow")
-        ->check(positive())
-        ->type_name("S");
-    samplings
-        ->add_option("--contrast", o.contrast,
-                     "POV-Ray's +A: more samples where neighbours differ by this")
-        ->check(not_negative())
-        ->type_name("THRESHOLD");
-
+    const std::vector<CLI::Option*> samplings = {
+        app.add_option("--spp", o.samples,
+                       "Samples a pixel: a low-discrepancy set; 1 is the pixel centre")
+            ->check(CLI::Range(1, 1 << 24))
+            ->type_name("N"),
+        app.add_option("--grid", o.grid, "The K x K midpoints of a pixel")
+            ->check(CLI::Range(1, 1 << 12))
+            ->type_name("K"),
+        app.add_option("--aa", o.error, "Adaptive, to this root mean square error; default 0.01")
+            ->check(positive())
+            ->type_name("ERROR"),
+        app.add_option("--time", o.seconds, "As many samples as S seconds allow")
+            ->check(positive())
+            ->type_name("S"),
+        app.add_option("--contrast", o.contrast,
+                       "POV-Ray's +A: more samples where neighbours differ by this")
+            ->check(not_negative())
+            ->type_name("THRESHOLD")};
+    for (auto* sampling : samplings) {
+        sampling->group("Sampling, one of")->multi_option_policy(last);
+        for (auto* other : samplings)
+            if (other != sampling) sampling->excludes(other);
+    }
     app.add_option("--contrast-depth", o.contrast_depth, "POV-Ray's +R")
         ->check(CLI::Range(1, 9))
         ->multi_option_policy(last)

@@ -1,0 +1,85 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using nlohmann::json;
+
+TEST_CASE("--json tells what was done", "[cli]") {
+    const Program program;
+    const auto result =
+        program.run("render ball.scene -W 16 -H 12 --spp 1 --quiet --json - -o a.png");
+    REQUIRE(result.exit_code == 0);
+    const auto report = json::parse(result.out);
+    CHECK(report.at("rays").at("camera") == 16 * 12);
+    for (const auto* kind : {"reflected", "refracted", "shadow"})
+        CHECK(report.at("rays").at(kind).is_number_unsigned());
+    CHECK(report.at("casts") >= 16 * 12);
+    CHECK(report.at("crossings").at("true").is_number_unsigned());
+    CHECK(report.at("crossings").at("false") == 0);
+    CHECK(report.at("leaks") == 0);
+    for (const auto* stage : {"parse", "build", "render"}) {
+        CHECK(report.at("seconds").at(stage) >= 0.0);
+        CHECK(report.at("cpu_seconds").at(stage) >= 0.0);
+    }
+    CHECK(report.at("peak_bytes") > 1000000);
+    CHECK(report.at("skipped").is_array());
+    CHECK(report.at("warnings") == json::array());
+    CHECK(report.at("version").is_string());
+    CHECK(report.at("tree") == "whitted");
+    CHECK(report.at("samples") == 16 * 12);
+    CHECK_THAT(report.at("options").get<std::string>(), Catch::Contains("--grid 1"));
+}
+
+TEST_CASE("--json FILE leaves standard output empty", "[cli]") {
+    const Program program;
+    CHECK(program.run("render ball.scene -W 8 -H 8 --spp 1 --json a.json").out.empty());
+    CHECK(json::parse(program.read("a.json")).contains("rays"));
+}
+
+TEST_CASE("progress and statistics go to standard error", "[cli]") {
+    const Program program;
+    const auto result = program.run("render ball.scene -W 64 -H 48 --spp 4");
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Catch::Contains("100 %") && Catch::Contains("leaks") &&
+                               Catch::Contains("tree sampled"));
+    CHECK_THAT(result.err, !Catch::Contains("\x1b"));
+}
+
+TEST_CASE("the tree follows from the sampling", "[cli]") {
+    const Program program;
+    const auto [options, tree] = GENERATE(table<std::string, std::string>({
+        {"--spp 1", "whitted"},
+        {"--grid 2", "whitted"},
+        {"+A0.3", "whitted"},
+        {"--spp 2", "sampled"},
+        {"--aa 0.1", "sampled"},
+        {"--spp 2 --tree full", "full"},
+    }));
+    const auto result =
+        program.run("render ball.scene -W 8 -H 8 --quiet -o a.png --json - " + options);
+    CAPTURE(options, result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(json::parse(result.out).at("tree") == tree);
+}
+
+TEST_CASE("--declare reaches the scene", "[cli]") {
+    const Program program;
+    program.write("gray.scene", "#version 3.7;\nbackground { color rgb Level }\n");
+    CHECK(
+        program.run("render gray.scene -W 2 -H 2 --spp 1 --quiet --declare Level=0.5").exit_code ==
+        0);
+    CHECK(program.run("render gray.scene -W 2 -H 2 --spp 1 --quiet Declare=Level=0.5").exit_code ==
+          0);
+    CHECK(program.run("render gray.scene -W 2 -H 2 --spp 1 --quiet").exit_code == 2);
+}
+
+TEST_CASE("-L is where included files are looked for", "[cli]") {
+    const Program program;
+    std::filesystem::create_directory(program.path("parts"));
+    program.write("parts/sky.inc", "background { color rgb 0.5 }\n");
+    program.write("sky.scene", "#version 3.7;\n#include \"sky.inc\"\n");
+    CHECK(program.run("render sky.scene -W 2 -H 2 --spp 1 --quiet -L parts").exit_code == 0);
+    CHECK(program.run("render sky.scene -W 2 -H 2 --spp 1 --quiet +Lparts").exit_code == 0);
+    CHECK(program.run("render sky.scene -W 2 -H 2 --spp 1 --quiet").exit_code == 3);
+}
