@@ -53,7 +53,7 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     } else if (contact) {
         inside = contact->starts_inside != part.inverse;
     } else {
-        inside = interval.hit && interval.t0 < 0.0;
+        inside = interval.hit && interval.t0 < 0.0 && interval.t1 > 0.0;
     }
 
     if (inside) {
