@@ -133,7 +133,8 @@ std::string format_text(const tracer::RenderScene& scene, const Names& names,
         const Segment& segment = trace.segments[i];
         const std::string indentation(std::size_t(2 * segment.nesting), ' ');
         out += '\n';
-        for (const auto& line : Paragraph(scene, names, segment, i).lines()) {
+        const Paragraph paragraph(scene, names, segment, i);
+        for (const auto& line : paragraph.lines()) {
             out += indentation + line + '\n';
         }
     }
