@@ -2,33 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/validators.hpp"
 
 namespace meniscus::cli {
 namespace {
 
-std::pair<std::string, double> parse_declaration(const std::string& text) {
+bool is_name(std::string_view text) {
+    const auto is_letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, [&](char c) {
+        return is_letter(c) || (c >= '0' && c <= '9');
+    });
+}
+
+std::pair<std::string, std::string> parse_declaration(const std::string& text) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
+    if (equals == std::string::npos || !is_name(std::string_view(text).substr(0, equals)))
         throw UsageError(fmt::format("--declare '{}': it must be NAME=VALUE", text));
-    const auto value = parse_number(std::string_view(text).substr(equals + 1));
-    if (!value)
-        throw UsageError(
-            fmt::format("--declare '{}': '{}' is not a number", text, text.substr(equals + 1)));
-    return {text.substr(0, equals), *value};
+    return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 lang::Options language_options(const SceneOptions& options) {
     lang::Options result;
-    result.width = options.width;
-    result.height = options.height;
+    result.image_width = options.width;
+    result.image_height = options.height;
     for (const auto& path : options.library_paths) result.library_paths.emplace_back(path);
     for (const auto& text : options.declarations)
-        result.declarations.push_back(parse_declaration(text));
+        result.declares.push_back(parse_declaration(text));
     return result;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("wrong options are 2, with one line that names them", "[cli]") {
         {"render ball.scene -o a.exr --layers odd", "odd"},
         {"render ball.scene --layers all", "--layers"},
         {"render ball.scene --declare 5", "--declare"},
-        {"render ball.scene --declare A=b", "'b'"},
+        {"render ball.scene --declare 2A=5", "2A"},
         {"render ball.scene -o - --json -", "standard output"},
     }));
     const auto result = program.run(options);
