@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "tests/oracle/trace.hpp"
+#include "tracer/render.hpp"
+
+namespace meniscus::oracle {
+
+struct Picture {
+    int width = 48, height = 36;
+    Limits limits{.depth = 8, .cutoff = 1e-3};
+    tracer::InteriorMode interior = tracer::InteriorMode::sweep;
+};
+
+/// The tracer's picture of the scene, at pixel centres, the whole ray tree.
+tracer::Rendered rendered(const scene::Scene& scene, const Picture& picture = {}, int threads = 1);
+
+/// How far the tracer's picture is from the oracle's.
+struct Difference {
+    std::size_t pixels = 0, off = 0, far_off = 0;  // by more than 1e-6, 2e-3 in some channel
+    double median = 0.0, largest = 0.0;            // over pixels, of the largest channel
+    int worst_x = 0, worst_y = 0;
+    std::uint64_t leaks = 0;
+    std::string text() const;
+};
+
+/// Rounds the oracle's values to float, as pictures hold them.
+template <class Real>
+Difference compare(const scene::Scene& scene, const Picture& picture = {});
+
+extern template Difference compare<double>(const scene::Scene&, const Picture&);
+extern template Difference compare<Extended>(const scene::Scene&, const Picture&);
+extern template Difference compare<Quad>(const scene::Scene&, const Picture&);
+
+}  // namespace meniscus::oracle

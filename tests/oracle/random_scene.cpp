@@ -1,0 +1,231 @@
+#include "tests/oracle/random_scene.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "tests/oracle/scene_builder.hpp"
+
+namespace meniscus::oracle {
+namespace {
+
+/// splitmix64 (Steele, Lea and Flood 2014).
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
+    std::uint64_t next() {
+        std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        return z ^ (z >> 31);
+    }
+    /// In [0, n).
+    int below(int n) { return int(next() % std::uint64_t(n)); }
+    double between(double low, double high) {
+        return low + (high - low) * (double(next() >> 11) * 0x1p-53);
+    }
+    bool chance(double p) { return between(0.0, 1.0) < p; }
+    /// A multiple of one half.
+    double lattice(double low, double high) {
+        return low + 0.5 * below(int((high - low) * 2.0) + 1);
+    }
+    geom::Vec3 lattice_point(double low, double high) {
+        const double x = lattice(low, high), y = lattice(low, high), z = lattice(low, high);
+        return {x, y, z};
+    }
+    geom::Vec3 point(double low, double high) {
+        const double x = between(low, high), y = between(low, high), z = between(low, high);
+        return {x, y, z};
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+geom::Vec3 axis_of(int axis, double length) {
+    geom::Vec3 result{0.0};
+    result[axis] = length;
+    return result;
+}
+
+struct Drawn {
+    geom::Shape shape;
+    geom::Vec3 center;
+};
+
+/// Around `origin`, in coordinates relative to it.
+geom::Shape random_shape(Random& random, const RandomSceneOptions& options,
+                         const geom::Vec3& center) {
+    for (;;) {
+        switch (random.below(10)) {
+            case 0:
+            case 1:
+            case 2:
+                return geom::Sphere{center, random.lattice(0.5, 1.5)};
+            case 3:
+            case 4:
+            case 5: {
+                const geom::Vec3 half = random.lattice_point(0.5, 1.5);
+                return geom::Box{center - half, center + half};
+            }
+            case 6:
+            case 7: {
+                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
+                return geom::Cylinder{center - half, center + half, random.lattice(0.5, 1.5),
+                                      false};
+            }
+            case 8: {
+                if (!options.cones) break;
+                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
+                const double base = random.lattice(0.5, 1.5), cap = random.lattice(0.0, 1.0);
+                if (base == cap) break;
+                return geom::Cone{center - half, base, center + half, cap, false};
+            }
+            default:
+                if (!options.tori) break;
+                return geom::Torus{random.lattice(1.0, 1.5), 0.5};
+        }
+    }
+}
+
+scene::Texture random_skin(Random& random) {
+    scene::Texture texture;
+    scene::Color color{random.point(0.3, 1.0)};
+    color.filter = random.chance(0.5) ? random.between(0.2, 0.9) : 0.0;
+    color.transmit = random.between(0.0, 1.0 - color.filter);
+    if (color.filter + color.transmit == 0.0) color.transmit = 0.5;
+    texture.pigment = plain(color);
+    texture.finish.ambient = scene::Rgb{random.between(0.0, 0.3)};
+    texture.finish.diffuse = random.between(0.0, 0.7);
+    if (random.chance(0.3)) texture.finish.phong = random.between(0.1, 0.6);
+    if (random.chance(0.3)) texture.finish.specular = random.between(0.1, 0.6);
+    if (random.chance(0.7)) {
+        texture.finish.reflection.max = scene::Rgb{1.0};
+        texture.finish.reflection.fresnel = true;
+        texture.finish.conserve_energy = true;
+    }
+    return texture;
+}
+
+/// A half-space holds everything: its complement or an unlucky one would fill the view, so few are drawn.
+geom::Shape random_half_space(Random& random) {
+    return geom::Plane{axis_of(random.below(3), random.chance(0.5) ? 1.0 : -1.0),
+                       random.lattice(-1.5, 0.5)};
+}
+
+}  // namespace
+
+scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options) {
+    Random random(seed);
+    SceneBuilder builder;
+
+    // Few media, so that like ones meet.
+    struct Medium {
+        double ior;
+        scene::Rgb absorption;
+    };
+    std::vector<Medium> media{{1.0, scene::Rgb{0.0}}};
+    for (const double ior : {1.31, 1.33, 1.5, 1.5, 1.8, 2.4}) {
+        media.push_back(
+            {ior, random.chance(0.5) ? random.point(0.0, 0.6) : scene::Rgb{0.0}});
+    }
+
+    const geom::Vec3 angles =
+        options.rotated ? random.point(-180.0, 180.0) : geom::Vec3{0.0};
+    const auto rotation = geom::Transform::rotation_degrees(angles);
+    const auto whole = geom::Transform::scaling(geom::Vec3{options.scale})
+                           .then(geom::Transform::translation(options.offset));
+    // The shape, whose coordinates are relative to `origin` and divided by `stretch`, into the scene.
+    const auto place = [&](const geom::Vec3& origin, const geom::Vec3& stretch) {
+        auto transform = geom::Transform{};
+        if (stretch != geom::Vec3{1.0}) transform = geom::Transform::scaling(stretch);
+        if (origin != geom::Vec3{0.0})
+            transform = transform.then(geom::Transform::translation(origin));
+        return transform.then(rotation).then(whole);
+    };
+
+    const int count =
+        options.fewest_solids + random.below(options.most_solids - options.fewest_solids + 1);
+    std::vector<int> priorities(std::size_t(count), 0);
+    for (int i = 0; i < count; ++i) priorities[std::size_t(i)] = i;
+    for (int i = count - 1; i > 0; --i)
+        std::swap(priorities[std::size_t(i)], priorities[std::size_t(random.below(i + 1))]);
+
+    bool has_half_space = false;
+    for (const int priority : priorities) {
+        const geom::Vec3 center = random.lattice_point(-1.5, 1.5);
+        const bool own_origin = options.rotated || options.stretched;
+        geom::Vec3 origin = own_origin ? random.lattice_point(-2.0, 2.0) : geom::Vec3{0.0};
+        geom::Vec3 stretch{1.0};
+        geom::Shape shape;
+        if (!has_half_space && random.chance(0.08)) {
+            has_half_space = true;
+            origin = geom::Vec3{0.0};
+            shape = random_half_space(random);
+        } else {
+            shape = random_shape(random, options, center - origin);
+            if (std::holds_alternative<geom::Torus>(shape)) origin = center;
+            if (auto* box = std::get_if<geom::Box>(&shape); box && options.stretched) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double factors[] = {0.125, 0.25, 0.5, 1.0, 3.0, 10.0};
+                    stretch[axis] = factors[random.below(6)];
+                }
+                box->corner1 /= stretch;
+                box->corner2 /= stretch;
+            } else if (auto* ball = std::get_if<geom::Sphere>(&shape); ball && options.stretched) {
+                stretch = geom::Vec3{random.chance(0.5) ? 0.25 : 3.0};
+                ball->center /= stretch.x;
+                ball->radius /= stretch.x;
+            }
+        }
+        const Medium& drawn = media[std::size_t(random.below(int(media.size())))];
+        const auto interior = SceneBuilder::medium(drawn.ior, priority + 1, drawn.absorption);
+        const auto transform = place(origin, stretch);
+        if (options.opaque_members && random.chance(0.15)) {
+            scene::Texture texture;
+            texture.pigment = plain({random.point(0.2, 1.0)});
+            scene::Interior hidden;
+            hidden.priority = priority + 1;
+            hidden.states_priority = true;
+            builder.solid(shape, hidden, texture, transform);
+        } else if (options.textured && random.chance(0.4)) {
+            builder.solid(shape, interior, random_skin(random), transform);
+        } else {
+            builder.solid(shape, interior, scene::Texture::clear_skin(), transform);
+        }
+        if (options.complements && random.chance(0.1)) builder.inverse();
+    }
+
+    if (options.floor && random.chance(0.7)) {
+        scene::Finish finish;
+        finish.ambient = scene::Rgb{0.2};
+        builder.opaque(geom::Plane{{0.0, 1.0, 0.0}, random.lattice(-3.0, -1.5)},
+                       checker(random.point(0.0, 0.4), random.point(0.6, 1.0)), finish,
+                       place(geom::Vec3{0.0}, geom::Vec3{1.0}));
+        builder.lamp(whole.point(rotation.point(random.point(2.0, 5.0))), scene::Rgb{0.7});
+    }
+    if (random.chance(0.4)) {  // a shining ball: it touches nothing, so it is nobody's equal
+        scene::Finish finish;
+        finish.ambient = scene::Rgb{0.0};
+        finish.diffuse = 0.0;
+        finish.emission = random.point(0.2, 1.0);
+        builder.opaque(geom::Sphere{random.point(-1.2, 1.2), 0.31}, plain({scene::Rgb{1.0}}),
+                       finish, place(geom::Vec3{0.0}, geom::Vec3{1.0}));
+    }
+    builder.sky(random.point(0.0, 0.5), random.point(0.5, 1.0));
+
+    const bool within = random.chance(0.25);
+    const geom::Vec3 direction = glm::normalize(random.point(-1.0, 1.0) + geom::Vec3{0.0, 0.3, 0.0});
+    const geom::Vec3 location =
+        within ? random.point(-1.5, 1.5) : random.between(5.0, 7.0) * direction;
+    const geom::Vec3 target = random.point(-0.3, 0.3);
+    builder.camera(whole.point(rotation.point(location)), whole.point(rotation.point(target)),
+                   within ? 90.0 : 45.0);
+    if (options.scale != 1.0) {
+        for (scene::Solid& solid : builder.scene().solids)
+            solid.interior.absorption /= options.scale;
+    }
+    return builder.scene();
+}
+
+}  // namespace meniscus::oracle
