@@ -57,7 +57,9 @@ SideSpan side_span(const AxialRay& ray, const ProfileLine& side, double length, 
     } else {
         const double root = glm::sqrt(discriminant);
         const double q = -(B + std::copysign(root, B));
-        const double one = q / A, two = q != 0.0 ? C / q : one;
+        const double two = q != 0.0 ? C / q : q / A;
+        const double one =
+            A != 0.0 ? q / A : two;  // parallel to the slope: the other is at infinity
         // A step may not reach half-way to the other root, nor leap where the surface is almost
         // parallel to the ray.
         const double limit =

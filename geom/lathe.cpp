@@ -131,6 +131,12 @@ void curved_candidates(const LatheLine& line, const ProfilePiece& piece, double 
             for (const double t : by_radius(evaluate(x, u))) keep(u, t);
         }
     }
+    // Where the curve ends on the axis f only touches 0.
+    if (dy != 0.0) {
+        const double slack = overhang * size;
+        if (piece.start.x <= slack) keep(0.0, y[0] / dy);
+        if (piece.end.x <= slack) keep(1.0, evaluate(y, 1.0) / dy);
+    }
     // Across the axis, or nearly so, the roots of f fall together in pairs: the height alone tells
     // where they are.
     if (glm::abs(dy) < 1e-4) {

@@ -55,10 +55,13 @@ bool Polygon::covers(const Vec3& p) const {
     bool inside = false;
     for (std::size_t loop = 0; loop + 1 < loop_starts_.size(); ++loop) {
         for (std::size_t i = loop_starts_[loop]; i + 1 < loop_starts_[loop + 1]; ++i) {
-            const Vec3 &a = points_[i], &b = points_[i + 1];
+            // From the lower end to the upper, so that polygons on either side of an edge agree.
+            const bool upwards = points_[i][y] <= points_[i + 1][y];
+            const Vec3& a = points_[upwards ? i : i + 1];
+            const Vec3& b = points_[upwards ? i + 1 : i];
             if ((a[y] <= p[y]) == (b[y] <= p[y])) continue;
             const double side = (b[x] - a[x]) * (p[y] - a[y]) - (p[x] - a[x]) * (b[y] - a[y]);
-            if ((side > 0.0) == (b[y] > a[y])) inside = !inside;
+            if (side > 0.0) inside = !inside;
         }
     }
     return inside;

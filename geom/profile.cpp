@@ -60,6 +60,17 @@ ProfilePiece cubic_piece(const Vec2& before, const Vec2& p, const Vec2& q, const
 }
 
 ProfilePiece bezier_piece(const Vec2& p, const Vec2& p1, const Vec2& p2, const Vec2& q) {
+    // Four points in order on a line make a line.
+    const Vec2 along = q - p;
+    const auto is_on_line = [&](const Vec2& r) {
+        const Vec2 e = r - p;
+        return glm::abs(along.x * e.y - along.y * e.x) <= 1e-15 * glm::dot(along, along);
+    };
+    const double first = glm::dot(p1 - p, along), second = glm::dot(p2 - p, along);
+    if (p != q && is_on_line(p1) && is_on_line(p2) && 0.0 <= first && first <= second &&
+        second <= glm::dot(along, along)) {
+        return straight_piece(p, q);
+    }
     return make_piece({p, 3.0 * (p1 - p), 3.0 * (p - 2.0 * p1 + p2), (q - p) + 3.0 * (p1 - p2)}, p,
                       q);
 }
@@ -154,8 +165,10 @@ Profile::Profile(Spline spline, const std::vector<Vec2>& p) {
         require(glm::abs(q.x) < infinity && glm::abs(q.y) < infinity,
                 "a point of a lathe is not finite");
     }
-    require(low_.x > -1e-3 * size_,
-            "a lathe's profile crosses the axis: its radius must not be negative");
+    for (const ProfilePiece& piece : pieces_) {
+        require(piece.start.x >= 0.0 && piece.end.x >= 0.0,
+                "a point of a lathe has a negative radius");
+    }
 
     close_chains();
     for (std::size_t i = 0; i < pieces_.size(); ++i) add_stretches(i);
@@ -219,7 +232,8 @@ bool Profile::contains(const Vec2& p) const {
             const ProfilePiece& piece = pieces_[s.piece];
             if (piece.straight) {
                 const Vec2 along = piece.end - piece.start, e = p - piece.start;
-                if ((along.x * e.y - along.y * e.x > 0.0) != (along.y > 0.0)) continue;
+                const double side = along.x * e.y - along.y * e.x;
+                if (!(along.y > 0.0 ? side > 0.0 : side < 0.0)) continue;
             } else {
                 auto height = component(piece.c, 1);
                 height[0] -= p.y;
