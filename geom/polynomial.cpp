@@ -42,8 +42,7 @@ double evaluate(std::span<const double> c, double x) {
     return value;
 }
 
-double root_in_bracket(std::span<const double> c, double low, double high) {
-    const bool rising = evaluate(c, low) < 0.0;
+double root_in_bracket(std::span<const double> c, double low, double high, bool rising) {
     double x = 0.5 * (low + high);
     for (int i = 0; i < 100; ++i) {
         const auto [value, slope] = evaluate_with_slope(c, x);
@@ -79,7 +78,7 @@ Roots roots_between(std::span<const double> c, double low, double high) {
     for (const double right : stops) {
         const double value_right = evaluate(c, right);
         if ((value_left < 0.0) != (value_right < 0.0)) {
-            roots.push_back(root_in_bracket(c, left, right));
+            roots.push_back(root_in_bracket(c, left, right, value_left < 0.0));
         }
         left = right;
         value_left = value_right;

@@ -16,7 +16,7 @@ double evaluate(std::span<const double> coefficients, double x);
 /// are roots of the derivative. At most degree 7.
 Roots roots_between(std::span<const double> coefficients, double low, double high);
 
-/// The root in a bracket at whose ends the polynomial has different signs.
-double root_in_bracket(std::span<const double> coefficients, double low, double high);
+/// The root in a bracket across which the polynomial rises (or else falls) through 0.
+double root_in_bracket(std::span<const double> coefficients, double low, double high, bool rising);
 
 }  // namespace meniscus::geom

@@ -237,7 +237,8 @@ bool Profile::contains(const Vec2& p) const {
             } else {
                 auto height = component(piece.c, 1);
                 height[0] -= p.y;
-                if (p.x >= piece.at(root_in_bracket(height, s.from, s.to)).x) continue;
+                const double u = root_in_bracket(height, s.from, s.to, s.y_from < s.y_to);
+                if (p.x >= piece.at(u).x) continue;
             }
         }
         inside = !inside;

@@ -50,17 +50,24 @@ void Torus::crossings(const Ray& ray, Crossings& out) const {
     const Roots roots = roots_between(quartic, -half_chord, half_chord);
 
     Candidates candidates;
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-        // A last step by the distance from the surface, which is accurate where the quartic is not:
-        // no further than half-way to the neighbours.
-        double limit = 1e-3 * minor;
-        if (i > 0) limit = glm::min(limit, 0.4 * (roots[i] - roots[i - 1]));
-        if (i + 1 < roots.size()) limit = glm::min(limit, 0.4 * (roots[i + 1] - roots[i]));
-        const RingPoint p(e + roots[i] * d, major);
+    // A last step by the distance from the surface, which is accurate where the quartic is not.
+    const auto keep = [&](double t, double limit) {
+        const RingPoint p(e + t * d, major);
         const double slope = glm::dot(p.out, d) / p.from_circle;
         const double step = (p.from_circle - minor) / slope;
-        const double t = glm::abs(step) <= limit ? roots[i] - step : roots[i];
+        if (glm::abs(step) <= limit) t -= step;
         candidates.push_back({(shift + t) / length, 0});
+    };
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        double limit = 1e-3 * minor;  // and not as far as half-way to the neighbours
+        if (i > 0) limit = glm::min(limit, 0.4 * (roots[i] - roots[i - 1]));
+        if (i + 1 < roots.size()) limit = glm::min(limit, 0.4 * (roots[i + 1] - roots[i]));
+        keep(roots[i], limit);
+    }
+    if (minor > major && d.y != 0.0) {
+        // On the axis the quartic only touches 0, for there the inner skin meets the outer one.
+        const double height = glm::sqrt((minor - major) * (minor + major));
+        for (const double y : {height, -height}) keep((y - e.y) / d.y, 1e-3 * minor);
     }
     const auto inside = [&](double t) { return contains(e + (t * length - shift) * d); };
     keep_changes(candidates, 0.0, inside, out);
