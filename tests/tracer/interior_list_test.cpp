@@ -1,0 +1,69 @@
+#include "tracer/interior_list.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/tracer/scenes.hpp"
+
+using namespace meniscus;
+using namespace meniscus::test;
+
+namespace {
+
+/// Parts 0, 1, 2 of priorities 1, 2, 2.
+tracer::RenderScene three() {
+    scene::Scene scene;
+    for (const double priority : {1.0, 2.0, 2.0}) add_glass(scene, geom::Sphere{}, 1.5, priority);
+    return tracer::compile(std::move(scene));
+}
+
+}  // namespace
+
+TEST_CASE("the highest priority is on top, whatever the order of entry", "[tracer]") {
+    const auto scene = three();
+    tracer::InteriorList list;
+    CHECK(list.top(scene) == tracer::outside);
+    list.enter(1);
+    list.enter(0);
+    CHECK(list.top(scene) == 1);
+    list.leave(1);
+    CHECK(list.top(scene) == 0);
+    list.leave(0);
+    CHECK(list.empty());
+}
+
+TEST_CASE("on a tie the solid entered last is on top", "[tracer]") {
+    const auto scene = three();
+    tracer::InteriorList list;
+    list.enter(2);
+    list.enter(1);
+    CHECK(list.top(scene) == 1);
+    list.leave(2);
+    CHECK(list.top(scene) == 1);
+    list.enter(2);
+    CHECK(list.top(scene) == 2);
+    list.leave(2);
+    CHECK(list.top(scene) == 1);
+}
+
+TEST_CASE("a solid entered twice must be left twice", "[tracer]") {
+    const auto scene = three();
+    tracer::InteriorList list;
+    list.enter(0);
+    list.enter(0);
+    list.leave(0);
+    CHECK(list.inside(0));
+    CHECK(list.top(scene) == 0);
+    list.leave(0);
+    CHECK_FALSE(list.inside(0));
+    CHECK(list.empty());
+}
+
+TEST_CASE("the list has no fixed size", "[tracer]") {
+    tracer::InteriorList list;
+    for (int i = 0; i < 5000; ++i) list.enter(i);
+    for (int i = 0; i < 5000; ++i) CHECK(list.inside(i));
+    tracer::InteriorList copy = list;
+    for (int i = 4999; i >= 0; --i) list.leave(i);
+    CHECK(list.empty());
+    CHECK(copy.depth(2500) == 1);
+}
