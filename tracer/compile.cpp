@@ -53,7 +53,7 @@ RenderScene compile(scene::Scene source) {
             if (scene.solids[object.solid].interior.attenuates()) result.has_attenuation = true;
         }
         const geom::Bounds& bounds = part.shape.bounds();
-        if (bounds.is_finite()) {
+        if (bounds.is_finite() && !part.inverse) {
             finite.extend(bounds);
             bvh_bounds.push_back(bounds);
             result.bvh_parts.push_back(int(i));

@@ -308,7 +308,7 @@ Event EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner
     return event;
 }
 
-/// The list of a ray that starts in the open: exact, strict point-in-solid tests. Where tied solids
+/// The list of a ray that starts in the open. Where tied solids
 /// both hold the origin, the order is that of a ray that comes from infinity along the same line:
 /// entered later counts as on top.
 TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
@@ -327,26 +327,48 @@ TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
     const auto ask = [&](int index) {
         const Part& part = scene_.parts[index];
         if (!part.is_member || !is_visible(part, kind)) return;
-        const int shape_depth = part.shape.depth_at(ray.origin);
-        const int depth = part.inverse ? 1 - shape_depth : shape_depth;
-        if (depth == 0) return;
+        // Asked along the ray, so that an origin on a surface is where the ray goes.
+        const double magnitude = geom::max_abs(ray.origin) + part.shape.magnitude();
+        const auto is_ahead = [&](double t, geom::Face face) {
+            return t > 0.0 &&
+                   t * std::abs(glm::dot(ray.direction, part.shape.normal(face, ray.at(t)))) >
+                       tolerance(scene_, magnitude);
+        };
+        int shape_depth = 0;
         double entered_at = -geom::infinity;
         if (part.shape.is_convex()) {
             const geom::Interval interval = part.shape.interval(ray, geom::no_face);
-            entered_at = part.inverse
-                             ? (interval.hit && interval.t1 < 0.0 ? interval.t1 : -geom::infinity)
-                             : interval.t0;
+            if (!interval.hit) {
+                shape_depth = 0;
+            } else if (is_ahead(interval.t1, interval.face1) || interval.t1 == geom::infinity) {
+                shape_depth =
+                    interval.t0 == geom::infinity || is_ahead(interval.t0, interval.face0) ? 0 : 1;
+            }
+            if (part.inverse) {
+                if (interval.hit && !(interval.t1 > 0.0)) entered_at = interval.t1;
+            } else {
+                entered_at = interval.t0;
+            }
         } else {
             geom::Crossings crossings;
             part.shape.crossings(ray, crossings);
             for (const geom::Crossing& crossing : crossings) {
-                if (crossing.t < 0.0 && crossing.entering != part.inverse) entered_at = crossing.t;
+                if (is_ahead(crossing.t, crossing.face)) {
+                    shape_depth += crossing.entering ? -1 : 1;
+                } else if (crossing.entering != part.inverse) {
+                    entered_at = crossing.t;
+                }
             }
         }
+        const int depth = part.inverse ? 1 - shape_depth : shape_depth;
+        if (depth == 0) return;
         starts.push_back({entered_at, index, depth});
     };
     for (const int part : scene_.unbounded) ask(part);
-    scene_.bvh.overlapping({ray.origin, ray.origin},
+    // Boxes are asked with a margin, since an origin on a surface may lie a rounding outside of
+    // them.
+    const double margin = tolerance(scene_, 4.0 * (geom::max_abs(ray.origin) + scene_.size));
+    scene_.bvh.overlapping(geom::Bounds{ray.origin, ray.origin}.padded(margin),
                            [&](std::uint32_t primitive) { ask(scene_.bvh_parts[primitive]); });
     std::ranges::sort(starts, [](const Start& a, const Start& b) {
         return a.entered_at != b.entered_at ? a.entered_at < b.entered_at : a.part < b.part;

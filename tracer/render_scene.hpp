@@ -31,7 +31,7 @@ struct RenderScene {
     std::vector<Part> parts;
     geom::Bvh bvh;                   // over the finite parts
     std::vector<int> bvh_parts;      // bvh primitive -> part
-    std::vector<int> unbounded;      // parts without finite bounds
+    std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
     double size = 1.0;               // of the finite parts' bounds
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
     bool has_members = false;        // some solid can hold a ray
