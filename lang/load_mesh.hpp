@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "geom/triangle_mesh.hpp"
+
+namespace meniscus::lang {
+
+/// Reads all triangles of a file: Wavefront .obj, or any format that Assimp knows, such as .ply and
+/// .stl. Polygons are triangulated, materials ignored, coordinates taken as they stand. Throws
+/// std::runtime_error with a sentence that names the file.
+std::shared_ptr<const geom::TriangleMesh> load_mesh(const std::filesystem::path& path);
+
+}  // namespace meniscus::lang

@@ -1,0 +1,394 @@
+#include "lang/parse.hpp"
+
+#include <charconv>
+#include <limits>
+
+#include "grammar/words.hpp"
+#include "lang/syntax_tree.hpp"
+
+namespace meniscus::lang {
+namespace {
+
+using Node = std::uint32_t;
+
+/// The syntax tree, walked once to make the program.
+class TreeReader {
+public:
+    TreeReader(const Span& text, std::vector<SyntaxNode> nodes)
+        : text_(text), nodes_(std::move(nodes)) {}
+
+    ast::Program program() {
+        const auto end = text_.end;
+        return {items(first(0)), Span{text_.source, end, end}};
+    }
+
+private:
+    Kind kind(Node n) const { return nodes_[n].kind; }
+    Node first(Node n) const { return n + 1; }
+    Node end(Node n) const { return n + nodes_[n].size; }
+    Node next(Node n) const { return n + nodes_[n].size; }
+    bool has_child(Node n) const { return nodes_[n].size > 1; }
+    Span span(Node n) const { return {text_.source, nodes_[n].begin, nodes_[n].end}; }
+    std::string_view text(Node n) const { return span(n).text(); }
+    /// The node's text without what may follow in comments.
+    std::string_view word(Node n) const {
+        const auto all = text(n);
+        std::size_t size = 0;
+        while (size < all.size() && grammar::is_word_char(all[size])) ++size;
+        return all.substr(0, size);
+    }
+    template <class Visit>
+    void each_child(Node n, Visit visit) const {
+        for (auto child = first(n); child < end(n); child = next(child)) visit(child);
+    }
+
+    static double number(std::string_view text) {
+        double value = 0.0;
+        const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (result.ec == std::errc::result_out_of_range) {
+            const auto e = text.find_first_of("eE");
+            const bool tiny =
+                e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-';
+            return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+        }
+        return value;
+    }
+
+    static void append_utf8(std::string& out, unsigned code) {
+        if (code < 0x80) {
+            out += static_cast<char>(code);
+        } else if (code < 0x800) {
+            out += static_cast<char>(0xC0 | (code >> 6));
+            out += static_cast<char>(0x80 | (code & 0x3F));
+        } else {
+            out += static_cast<char>(0xE0 | (code >> 12));
+            out += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+            out += static_cast<char>(0x80 | (code & 0x3F));
+        }
+    }
+
+    static ast::Text string(std::string_view text) {
+        ast::Text result;
+        std::size_t i = 1;
+        for (; i < text.size() && text[i] != '"'; ++i) {
+            if (text[i] != '\\' || i + 1 >= text.size()) {
+                result.value += text[i];
+                continue;
+            }
+            switch (text[++i]) {
+                case 'n':
+                    result.value += '\n';
+                    break;
+                case 't':
+                    result.value += '\t';
+                    break;
+                case 'r':
+                    result.value += '\r';
+                    break;
+                case 'a':
+                    result.value += '\a';
+                    break;
+                case 'b':
+                    result.value += '\b';
+                    break;
+                case 'f':
+                    result.value += '\f';
+                    break;
+                case 'v':
+                    result.value += '\v';
+                    break;
+                case '0':
+                    break;
+                case 'u': {
+                    unsigned code = 0;
+                    const auto* begin = text.data() + i + 1;
+                    const auto* stop = std::min(begin + 4, text.data() + text.size());
+                    const auto read = std::from_chars(begin, stop, code, 16);
+                    append_utf8(result.value, code);
+                    i += static_cast<std::size_t>(read.ptr - begin);
+                    break;
+                }
+                default:
+                    result.value += text[i];
+            }
+        }
+        result.raw = text.substr(1, i > 0 ? i - 1 : 0);
+        return result;
+    }
+
+    // Expressions
+
+    ast::Expression expression(Node n) const {
+        switch (kind(n)) {
+            case Kind::number:
+                return {ast::Number{number(text(n))}, span(n)};
+            case Kind::string:
+                return {string(text(n)), span(n)};
+            case Kind::constant:
+                return {ast::Constant{word(n)}, word_span(n)};
+            case Kind::vector:
+                return {ast::Vector{children_as_items(n)}, span(n)};
+            case Kind::call:
+                return {call(n), span(n)};
+            case Kind::element_of:
+                return {variable(n), span(n)};
+            case Kind::postfix:
+                return {members(n), span(n)};
+            case Kind::unary:
+                return {signed_operand(n), span(n)};
+            case Kind::choice:
+                return {ast::Choice{children_as_expressions(n)}, span(n)};
+            default:
+                return {chain(n), span(n)};
+        }
+    }
+    Span word_span(Node n) const {
+        auto result = span(n);
+        result.end = result.begin + static_cast<std::uint32_t>(word(n).size());
+        return result;
+    }
+    ast::Expressions children_as_expressions(Node n) const {
+        ast::Expressions result;
+        each_child(n, [&](Node child) { result.push_back(expression(child)); });
+        return result;
+    }
+    ast::Call call(Node n) const {
+        ast::Call result{word(n), {}};
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::argument) result.arguments.push_back(value(first(child)));
+        });
+        return result;
+    }
+    ast::Variable variable(Node n) const {
+        ast::Variable result{word(n), {}};
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::index) result.indices.push_back(expression(first(child)));
+        });
+        return result;
+    }
+    ast::Members members(Node n) const {
+        ast::Members result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::member_name) {
+                result.names.push_back(word(child));
+            } else {
+                result.of = std::make_unique<ast::Expression>(expression(child));
+            }
+        });
+        return result;
+    }
+    ast::Signed signed_operand(Node n) const {
+        ast::Signed result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::sign) {
+                result.signs.push_back(text(child).front());
+            } else {
+                result.operand = std::make_unique<ast::Expression>(expression(child));
+            }
+        });
+        return result;
+    }
+    ast::Chain chain(Node n) const {
+        ast::Chain result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::operator_) {
+                const auto all = text(child);
+                result.operators.push_back(all.substr(0, all.size() > 1 && all[1] == '=' ? 2 : 1));
+            } else {
+                result.operands.push_back(expression(child));
+            }
+        });
+        return result;
+    }
+
+    // Items
+
+    ast::Items items(Node n) const { return children_as_items(n); }
+    ast::Items value(Node n) const { return children_as_items(n); }
+    ast::Items children_as_items(Node n) const {
+        ast::Items result;
+        each_child(n, [&](Node child) { result.push_back(item(child)); });
+        return result;
+    }
+
+    ast::Item item(Node n) const {
+        const auto made = [&](ast::Item::Node node) { return ast::Item{std::move(node), span(n)}; };
+        switch (kind(n)) {
+            case Kind::word:
+                return {ast::Word{word(n)}, word_span(n)};
+            case Kind::separator:
+                return {ast::Separator{text(n).front()}, span(n)};
+            case Kind::block:
+                return made(ast::Block{word(n), items(last_child(n)), word_span(n)});
+            case Kind::map_entry:
+                return made(ast::MapEntry{items(first(n))});
+            case Kind::function:
+                return made(ast::Function{});
+            case Kind::array:
+                return made(std::make_unique<ast::Array>(array(n)));
+            case Kind::declare:
+                return made(std::make_unique<ast::Declare>(declare(n)));
+            case Kind::undef:
+                return made(ast::Undef{word(first(n))});
+            case Kind::include:
+                return made(std::make_unique<ast::Include>(ast::Include{expression(first(n))}));
+            case Kind::default_:
+                return made(ast::Default{items(first(n))});
+            case Kind::version:
+                return made(std::make_unique<ast::Version>(ast::Version{version(n)}));
+            case Kind::if_:
+            case Kind::ifdef:
+                return made(std::make_unique<ast::If>(if_(n)));
+            case Kind::while_: {
+                const auto condition = first(n);
+                return made(std::make_unique<ast::While>(
+                    ast::While{expression(condition), items(next(condition))}));
+            }
+            case Kind::for_:
+                return made(std::make_unique<ast::For>(for_(n)));
+            case Kind::switch_:
+                return made(std::make_unique<ast::Switch>(switch_(n)));
+            case Kind::break_:
+                return made(ast::Break{});
+            case Kind::macro:
+                return made(std::make_unique<ast::Macro>(macro(n)));
+            case Kind::message: {
+                const auto name = first(n);
+                return made(std::make_unique<ast::Message>(
+                    ast::Message{word(name), expression(next(name))}));
+            }
+            case Kind::file_io:
+                return made(ast::FileIo{word(n)});
+            default:
+                return {expression(n), span(n)};
+        }
+    }
+    Node last_child(Node n) const {
+        auto last = first(n);
+        each_child(n, [&](Node child) { last = child; });
+        return last;
+    }
+
+    ast::Array array(Node n) const {
+        ast::Array result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::array_size) result.sizes.push_back(expression(first(child)));
+            if (kind(child) == Kind::array_init) {
+                result.has_elements = true;
+                result.elements = elements(child);
+            }
+        });
+        return result;
+    }
+    std::vector<ast::Array::Element> elements(Node n) const {
+        std::vector<ast::Array::Element> result;
+        each_child(n, [&](Node element) {
+            const auto inner = first(element);
+            if (kind(inner) == Kind::array_init) {
+                result.push_back({elements(inner), span(element)});
+            } else {
+                result.push_back({value(inner), span(element)});
+            }
+        });
+        return result;
+    }
+
+    ast::Target target(Node n) const {
+        ast::Target result{{word(n), {}}, span(n)};
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::index)
+                result.variable.indices.push_back(expression(first(child)));
+        });
+        return result;
+    }
+    ast::Declare declare(Node n) const {
+        ast::Declare result{{}, {}, word(n) == "local", false};
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::target) result.target = target(child);
+            if (kind(child) == Kind::value) result.value = value(child);
+            if (kind(child) == Kind::semicolon) result.closed = true;
+        });
+        return result;
+    }
+    ast::Expression version(Node n) const {
+        auto number = first(n);
+        while (kind(number) == Kind::name) number = next(number);
+        return expression(number);
+    }
+
+    ast::If if_(Node n) const {
+        ast::If result;
+        auto child = first(n);
+        ast::If::Branch branch;
+        if (kind(n) == Kind::ifdef) {
+            branch.condition = target(child);
+            branch.negated = word(n) == "ifndef";
+        } else {
+            branch.condition = expression(child);
+        }
+        child = next(child);
+        branch.items = items(child);
+        result.branches.push_back(std::move(branch));
+        for (child = next(child); child < end(n); child = next(child)) {
+            if (kind(child) == Kind::elseif) {
+                const auto condition = first(child);
+                result.branches.push_back({expression(condition), false, items(next(condition))});
+            } else if (kind(child) == Kind::else_) {
+                result.otherwise = items(first(child));
+            }
+        }
+        return result;
+    }
+    ast::For for_(Node n) const {
+        ast::For result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::name) {
+                result.name = word(child);
+            } else if (kind(child) == Kind::items) {
+                result.items = items(child);
+            } else {
+                result.bounds.push_back(expression(child));
+            }
+        });
+        return result;
+    }
+    ast::Switch switch_(Node n) const {
+        ast::Switch result;
+        auto child = first(n);
+        result.value = std::make_unique<ast::Expression>(expression(child));
+        for (child = next(child); child < end(n); child = next(child)) {
+            ast::Switch::Arm arm;
+            each_child(child, [&](Node part) {
+                if (kind(part) == Kind::items) {
+                    arm.items = items(part);
+                } else {
+                    arm.values.push_back(expression(part));
+                }
+            });
+            result.arms.push_back(std::move(arm));
+        }
+        return result;
+    }
+    ast::Macro macro(Node n) const {
+        ast::Macro result;
+        each_child(n, [&](Node child) {
+            if (kind(child) == Kind::name) result.name = word(child);
+            if (kind(child) == Kind::parameter) result.parameters.push_back(word(child));
+            if (kind(child) == Kind::macro_body) result.body = span(child);
+        });
+        return result;
+    }
+
+    Span text_;
+    std::vector<SyntaxNode> nodes_;
+};
+
+}  // namespace
+
+ast::Program parse(const Span& part) { return TreeReader(part, parse_syntax(part)).program(); }
+
+ast::Program parse(const Source& source) {
+    return parse(Span{&source, 0, static_cast<std::uint32_t>(source.text().size())});
+}
+
+}  // namespace meniscus::lang
