@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "inspect/lints.hpp"
+#include "inspect/meeting.hpp"
+#include "inspect/sample_lines.hpp"
+
+namespace meniscus::inspect {
+namespace {
+
+using tracer::Part;
+using tracer::RenderScene;
+
+/// Fewer for each pair where there are many of them.
+int lines_per_axis(std::size_t pairs) {
+    return int(std::clamp<std::size_t>(200'000 / (pairs + 1), 4, 64));
+}
+
+const scene::Location& location(const RenderScene& scene, const Part& part) {
+    return scene.source.objects[std::size_t(part.object)].location;
+}
+
+const scene::Interior& interior(const RenderScene& scene, const Part& part) {
+    return scene.source.solids[std::size_t(part.solid)].interior;
+}
+
+/// Calls visit(first, second, meeting) for pairs of solids that may meet, where `wanted` says so,
+/// until it returns true for that pair of solids.
+void visit_meetings(const RenderScene& scene, auto&& wanted, auto&& visit) {
+    auto pairs = neighbours(scene, thin);
+    std::erase_if(pairs, [&](const auto& pair) {
+        return !wanted(scene.parts[std::size_t(pair.first)], scene.parts[std::size_t(pair.second)]);
+    });
+    std::set<std::pair<int, int>> done;
+    for (const auto& [i, j] : pairs) {
+        const Part& a = scene.parts[std::size_t(i)];
+        const Part& b = scene.parts[std::size_t(j)];
+        const auto solids = std::minmax(a.solid, b.solid);
+        if (done.contains(solids)) continue;
+        if (visit(a, b, meet(scene, a, b, lines_per_axis(pairs.size())))) done.insert(solids);
+    }
+}
+
+std::string unlike(const scene::Interior& a, const scene::Interior& b) {
+    if (a.ior != b.ior) return fmt::format("ior {} and {}", text(a.ior), text(b.ior));
+    return "of unlike absorption";
+}
+
+}  // namespace
+
+void find_equal_priority_overlaps(const RenderScene& scene, const Names& names,
+                                  std::vector<Finding>& findings) {
+    const auto wanted = [&](const Part& a, const Part& b) {
+        return a.priority == b.priority && !interior(scene, a).same_medium(interior(scene, b));
+    };
+    visit_meetings(scene, wanted, [&](const Part& a, const Part& b, const Meeting& meeting) {
+        if (!meeting.shared) return false;
+        findings.push_back(
+            {.severity = Finding::Severity::warning,
+             .lint = "equal-priority-overlap",
+             .location = location(scene, b),
+             .text = fmt::format(
+                 "{} and {} overlap, as at {}, and both have priority {} ({}): the one that a ray "
+                 "entered last is there, so that it may look different from elsewhere",
+                 names.object(a.object), names.object(b.object), text(*meeting.shared),
+                 text(a.priority), unlike(interior(scene, a), interior(scene, b))),
+             .advice =
+                 fmt::format("give the one that is there a higher priority, as {}",
+                             fmt::format("`priority {}`", text(std::floor(a.priority) + 1.0))),
+             .related = {{location(scene, a), names.object(a.object) + " is here"}},
+             .position = *meeting.shared});
+        return true;
+    });
+}
+
+void find_thin_gaps(const RenderScene& scene, const Names& names, std::vector<Finding>& findings) {
+    const auto wanted = [](const Part&, const Part&) { return true; };
+    visit_meetings(scene, wanted, [&](const Part& a, const Part& b, const Meeting& meeting) {
+        // A round solid that touches another is that near to it on hardly any line.
+        constexpr std::size_t fewest = 3;
+        if (meeting.gaps.size() < fewest) return false;
+        const auto widest = std::ranges::max_element(meeting.gaps, {}, &Gap::width);
+        findings.push_back(
+            {.severity = Finding::Severity::warning,
+             .lint = "thin-gap",
+             .location = location(scene, b),
+             .text = fmt::format(
+                 "between {} and {} there is a gap of {}, as at {}: light is reflected on both its "
+                 "sides as on any film",
+                 names.object(a.object), names.object(b.object), text(widest->width),
+                 text(widest->position)),
+             .advice = fmt::format("let them overlap, the higher priority wins; or state "
+                                   "`global_settings {{ contact_tolerance {:.1g} }}`",
+                                   4.0 * widest->width),
+             .related = {{location(scene, a), names.object(a.object) + " is here"}},
+             .position = widest->position});
+        return true;
+    });
+}
+
+}  // namespace meniscus::inspect

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "inspect/finding.hpp"
+#include "inspect/names.hpp"
+
+namespace meniscus::inspect {
+
+/// A rule: it looks at a scene and tells what it finds.
+using Lint = void(const tracer::RenderScene& scene, const Names& names,
+                  std::vector<Finding>& findings);
+
+// To add a lint: declare it here, name it in check.cpp, write it beside its relatives.
+
+Lint find_equal_priority_overlaps;  // lint_overlaps.cpp
+Lint find_thin_gaps;
+Lint find_open_meshes;  // lint_meshes.cpp
+Lint find_repaired_meshes;
+Lint find_nested_shells;
+Lint find_media_without_solid;  // lint_media.cpp
+Lint find_hidden_iors;
+Lint find_camera_in_media;  // lint_space.cpp
+Lint find_lost_sky;
+Lint find_buried_lights;
+
+}  // namespace meniscus::inspect

@@ -1,0 +1,88 @@
+#include <catch2/catch.hpp>
+
+#include "tests/inspect/scenes.hpp"
+
+using namespace meniscus;
+using namespace meniscus::test;
+using inspect::Finding;
+
+namespace {
+
+geom::TriangleSoup cube(double half = 1.0, bool inside_out = false) {
+    geom::TriangleSoup soup;
+    for (int i = 0; i < 8; ++i) {
+        soup.positions.push_back(half *
+                                 Vec3{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+    }
+    soup.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+    if (inside_out != geom::TriangleMesh(soup).stats().was_inside_out) {
+        for (auto& triangle : soup.triangles) std::swap(triangle[1], triangle[2]);
+    }
+    return soup;
+}
+
+geom::Mesh mesh(geom::TriangleSoup soup) {
+    return {std::make_shared<const geom::TriangleMesh>(std::move(soup))};
+}
+
+std::vector<Finding> check_mesh(geom::TriangleSoup soup) {
+    scene::Scene scene;
+    scene.camera.location = {0.0, 0.0, -9.0};
+    add_medium(scene, "Cube", mesh(std::move(soup)), 1.5, 1.0);
+    return inspect::check(tracer::compile(scene));
+}
+
+}  // namespace
+
+TEST_CASE("a closed, consistent mesh is fine", "[inspect]") { CHECK(check_mesh(cube()).empty()); }
+
+TEST_CASE("a mesh with a hole and an ior is found, with the hole's place", "[inspect]") {
+    auto soup = cube();
+    soup.triangles.pop_back();
+    const auto findings = check_mesh(soup);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "open-mesh");
+    CHECK(findings[0].text.find("3 boundary edges, one from <") != std::string::npos);
+    REQUIRE(findings[0].position);
+    CHECK(findings[0].position->z == Approx(1.0));
+}
+
+TEST_CASE("an inside-out mesh is found", "[inspect]") {
+    const auto findings = check_mesh(cube(1.0, true));
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "inside-out-mesh");
+}
+
+TEST_CASE("triangles wound against their neighbours are found", "[inspect]") {
+    auto soup = cube();
+    std::swap(soup.triangles[3][0], soup.triangles[3][1]);
+    const auto findings = check_mesh(soup);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "inconsistent-mesh");
+}
+
+TEST_CASE("triangles without area are noted", "[inspect]") {
+    auto soup = cube();
+    soup.triangles.push_back({0, 1, 1});
+    const auto findings = check_mesh(soup);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "degenerate-triangles");
+    CHECK_FALSE(inspect::has_warnings(findings));
+}
+
+TEST_CASE("a shell within a shell is noted where it is no cavity", "[inspect]") {
+    const auto with_inner = [](bool cavity) {
+        auto soup = cube();
+        const auto inner = cube(0.5, cavity);
+        for (const auto& triangle : inner.triangles) {
+            soup.triangles.push_back({triangle[0] + 8, triangle[1] + 8, triangle[2] + 8});
+        }
+        for (const auto& position : inner.positions) soup.positions.push_back(position);
+        return check_mesh(soup);
+    };
+    const auto findings = with_inner(false);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "nested-shells");
+    CHECK(with_inner(true).empty());
+}
