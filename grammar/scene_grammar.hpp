@@ -129,7 +129,8 @@ struct compared : relation {};
 struct boolean_operator : peg::sor<mark<'&'>, mark<'|'>> {};
 struct boolean : peg::seq<relation, peg::star<peg::if_must<boolean_operator, compared>>> {};
 struct colon : mark<':'> {};
-struct choice : peg::seq<boolean, peg::opt<peg::if_must<mark<'?'>, logic, colon, logic>>> {};
+struct choice_values : peg::if_must<mark<'?'>, logic, colon, logic> {};
+struct choice : peg::seq<boolean, peg::opt<choice_values>> {};
 struct logic : choice {};
 
 // Values on the right of '=', in calls and in arrays
@@ -141,7 +142,8 @@ struct raw_text
 struct raw_close : peg::one<'}'> {};
 struct raw_brace : peg::if_must<peg::one<'{'>, raw_text, raw_close> {};
 struct parameter : identifier {};
-struct parameters : peg::opt<parameter, peg::star<peg::opt<comma>, parameter>> {};
+struct parameters
+    : peg::opt<parameter, peg::star<peg::opt<comma>, parameter>, peg::opt<comma>> {};
 struct function_head
     : peg::seq<key<'f', 'u', 'n', 'c', 't', 'i', 'o', 'n'>,
                peg::opt<open_paren, parameters, close_paren>, peg::at<open_brace>> {};
@@ -171,9 +173,12 @@ struct hash : token<peg::one<'#'>> {};
 struct end : peg::seq<hash, key<'e', 'n', 'd'>> {};
 struct target_index : index {};
 struct target : peg::seq<name, peg::star<target_index>> {};
+struct deprecated
+    : peg::seq<key<'d', 'e', 'p', 'r', 'e', 'c', 'a', 't', 'e', 'd'>,
+               peg::opt<key<'o', 'n', 'c', 'e'>>, peg::opt<raw_string, spacing>> {};
 struct declare
     : peg::if_must<peg::sor<key<'d', 'e', 'c', 'l', 'a', 'r', 'e'>, key<'l', 'o', 'c', 'a', 'l'>>,
-                   target, equals, rvalue, peg::opt<semicolon>> {};
+                   peg::opt<deprecated>, target, equals, rvalue, peg::opt<semicolon>> {};
 struct undef : peg::if_must<key<'u', 'n', 'd', 'e', 'f'>, name> {};
 struct file_name : sum {};
 struct include : peg::if_must<key<'i', 'n', 'c', 'l', 'u', 'd', 'e'>, file_name> {};

@@ -7,6 +7,7 @@
 #include "grammar/messages.hpp"
 #include "grammar/scene_grammar.hpp"
 #include "lang/diagnostic.hpp"
+#include "lang/stack.hpp"
 
 namespace meniscus::lang {
 namespace {
@@ -93,7 +94,7 @@ constexpr bool is_transparent(Kind kind) {
 /// What can contain itself, and so could nest without end.
 template <class Rule>
 inline constexpr bool can_nest =
-    derives<Rule, g::block_comment, g::parenthesis, g::vector, g::call, g::index, g::choice,
+    derives<Rule, g::block_comment, g::parenthesis, g::vector, g::call, g::index, g::choice_values,
             g::raw_brace, g::array_init, g::block, g::map_entry, g::directive, g::raw_directive>;
 
 /// Collects nodes while the parser tries rules: a rule that fails takes its nodes back.
@@ -144,7 +145,7 @@ struct build_nodes : peg::normal<Rule> {
     static bool match(Input& in, Builder& builder) {
         constexpr auto kind = kind_of<Rule>();
         if constexpr (can_nest<Rule>) {
-            if (builder.depth >= deepest_nesting) {
+            if (builder.depth >= deepest_nesting || stack_is_nearly_full()) {
                 throw peg::parse_error(fmt::format("nested more than {} deep", deepest_nesting),
                                        in);
             }
