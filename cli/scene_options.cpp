@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <iterator>
 #include <string_view>
 
 #include "cli/diagnostics.hpp"
@@ -36,6 +38,10 @@ lang::Options language_options(const SceneOptions& options) {
     for (const auto& text : options.declarations)
         result.declares.push_back(parse_declaration(text));
     return result;
+}
+
+std::string read_standard_input() {
+    return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace
@@ -74,8 +80,12 @@ void add_scene_options(CLI::App& app, SceneOptions& o) {
 }
 
 lang::Interpreted read_scene(const SceneOptions& options) {
-    auto interpreted = lang::interpret_file(options.scene, language_options(options));
+    const auto language = language_options(options);
+    auto interpreted = options.scene == "-"
+                           ? lang::interpret_text("standard input", read_standard_input(), language)
+                           : lang::interpret_file(options.scene, language);
     for (const auto& warning : interpreted.warnings) print_diagnostic(lang::format(warning));
+    fmt::print(stderr, "{}", interpreted.messages);
     return interpreted;
 }
 
