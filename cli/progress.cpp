@@ -51,7 +51,8 @@ void Progress::show_line(double share) {
                format_seconds(spent * (1.0 - share) / share));
 }
 
-void Progress::finish() {
+void Progress::finish(bool done) {
+    if (done && !terminal_) show_line(1.0);
     if (bar_shown_) fmt::print(stderr, "\r\x1b[K");
     bar_shown_ = false;
 }

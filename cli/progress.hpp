@@ -17,8 +17,8 @@ class Progress {
 public:
     Progress();
     void show(double share);
-    /// Clears the bar.
-    void finish();
+    /// Clears the bar; work that is done early is at 100 % all the same.
+    void finish(bool done);
 
 private:
     using Clock = std::chrono::steady_clock;

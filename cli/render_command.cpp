@@ -82,7 +82,7 @@ ExitCode run(RenderOptions options) {
     tracer_options.interrupted = &interrupt.flag();
     const auto rendered = tracer::render(render_scene, tracer_options);
     const auto render = stopwatch.lap();
-    progress.finish();
+    if (!options.quiet) progress.finish(!rendered.interrupted);
 
     const Report report{options.scene.file_name(),
                         canonical_options(tracer_options),
