@@ -15,5 +15,7 @@ struct Command {
 
 /// To add a subcommand: write its file, declare its maker here and list it in main.cpp.
 Command make_render_command(CLI::App& app);
+Command make_check_command(CLI::App& app);
+Command make_inspect_command(CLI::App& app);
 
 }  // namespace meniscus::cli

@@ -49,6 +49,8 @@ ExitCode run(const std::vector<std::string>& arguments) {
     app.footer(footer);
     const std::vector<cli::Command> commands = {
         cli::make_render_command(app),
+        cli::make_check_command(app),
+        cli::make_inspect_command(app),
     };
     auto words = cli::translate_povray_spellings(arguments);
     check_command(words, commands);

@@ -79,13 +79,18 @@ void add_scene_options(CLI::App& app, SceneOptions& o) {
         ->type_name("DIR");
 }
 
-lang::Interpreted read_scene(const SceneOptions& options) {
+lang::Interpreted interpret_scene(const SceneOptions& options) {
     const auto language = language_options(options);
     auto interpreted = options.scene == "-"
                            ? lang::interpret_text("standard input", read_standard_input(), language)
                            : lang::interpret_file(options.scene, language);
-    for (const auto& warning : interpreted.warnings) print_diagnostic(lang::format(warning));
     fmt::print(stderr, "{}", interpreted.messages);
+    return interpreted;
+}
+
+lang::Interpreted read_scene(const SceneOptions& options) {
+    auto interpreted = interpret_scene(options);
+    for (const auto& warning : interpreted.warnings) print_diagnostic(lang::format(warning));
     return interpreted;
 }
 

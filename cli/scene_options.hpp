@@ -23,7 +23,10 @@ struct SceneOptions {
 
 void add_scene_options(CLI::App& app, SceneOptions& options);
 
-/// Warnings go to standard error.
+/// What #debug and the like print goes to standard error; the warnings are the caller's to print.
+lang::Interpreted interpret_scene(const SceneOptions& options);
+
+/// The same; warnings go to standard error.
 lang::Interpreted read_scene(const SceneOptions& options);
 
 }  // namespace meniscus::cli

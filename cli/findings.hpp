@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "inspect/finding.hpp"
+#include "lang/diagnostic.hpp"
+
+namespace meniscus::cli {
+
+/// What the reader of the scene warned of, as findings of `check`.
+std::vector<inspect::Finding> from_warnings(const std::vector<lang::Diagnostic>& warnings);
+
+/// As `file:line:column: warning: text`, the source line, and what to do about it; last a line that
+/// counts them.
+std::string format_findings(const std::vector<inspect::Finding>& findings);
+
+std::string format_findings_json(const std::vector<inspect::Finding>& findings);
+
+}  // namespace meniscus::cli
