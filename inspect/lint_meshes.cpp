@@ -82,12 +82,13 @@ void find_repaired_meshes(const RenderScene& scene, const Names& names,
             findings.push_back(std::move(finding));
         }
         if (mesh.is_closed() && !stats.was_consistent) {
-            Finding finding = about(scene, part, "inconsistent-mesh");
+            Finding finding = about(scene, part, "inconsistent-mesh", Finding::Severity::note);
             finding.text = fmt::format(
                 "{} has neighbouring triangles that are wound in opposite ways; {} turned round so "
                 "that each surface toggles inside and outside",
                 name, stats.flipped == 1 ? "1 was" : fmt::format("{} were", stats.flipped));
-            finding.advice = "make the winding consistent in the program that wrote the mesh";
+            finding.advice =
+                "nothing need be done; a consistent winding would make overlapping shells count";
             findings.push_back(std::move(finding));
         }
         if (stats.degenerate > 0) {

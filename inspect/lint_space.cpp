@@ -32,6 +32,10 @@ void find_camera_in_media(const RenderScene& scene, const Names& names,
     const Vec3 p = eye(scene.source);
     for (const Part& part : scene.parts) {
         if (!part.is_member || !contains(part, p)) continue;
+        // The complement of a lens's face, as air, is where a camera belongs.
+        const scene::Scene& source = scene.source;
+        const auto& interior = source.solids[std::size_t(part.solid)].interior;
+        if (interior.same_medium(source.settings.outside)) continue;
         Finding finding;
         finding.severity = Finding::Severity::note;
         finding.lint = "camera-inside";

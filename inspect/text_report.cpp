@@ -70,6 +70,15 @@ private:
             absorbs ? ", transmittance " + text_of_color(segment_.absorption) : "");
     }
 
+    void interface(const tracer::Event& event) {
+        add("  {} -> {}: n {} -> {}, incidence {} degrees, {}", names_.solid(event.solid_before),
+            names_.solid(event.solid_after), text(node_.ior_before), text(node_.ior_after),
+            text(node_.angle_degrees),
+            node_.total_reflection ? "total reflection"
+                                   : fmt::format("R {}, T {}", text_of_color(node_.reflectance),
+                                                 text_of_color(node_.transmittance)));
+    }
+
     void surface() {
         const auto& event = node_.event;
         if (!node_.is_surface) {
@@ -82,12 +91,12 @@ private:
         };
         add("  surface of {} at {}{}", object(event.part), text(event.origin.origin),
             event.skin == event.part ? "" : ", looks like " + object(event.skin));
-        add("  {} -> {}: n {} -> {}, incidence {} degrees, {}", names_.solid(event.solid_before),
-            names_.solid(event.solid_after), text(node_.ior_before), text(node_.ior_after),
-            text(node_.angle_degrees),
-            node_.total_reflection ? "total reflection"
-                                   : fmt::format("R {}, T {}", text_of_color(node_.reflectance),
-                                                 text_of_color(node_.transmittance)));
+        if (!node_.total_reflection && node_.reflectance == scene::Rgb{0.0} &&
+            node_.transmittance == scene::Rgb{0.0}) {
+            add("  nothing is reflected or passes");
+        } else {
+            interface(event);
+        }
         if (node_.own_color != scene::Rgb{0.0}) {
             add("  own light {}, adds {}", text_of_color(node_.own_color),
                 text_of_color(segment_.adds));
