@@ -13,6 +13,8 @@ inline constexpr auto expected<comment_end> = "expected '*/' to end this comment
 template <>
 inline constexpr auto expected<string_end> = "expected '\"' to end this string";
 template <>
+inline constexpr auto expected<only_argument> = "expected a value";
+template <>
 inline constexpr auto expected<logic> = "expected a value";
 template <>
 inline constexpr auto expected<operand> = "expected a value";

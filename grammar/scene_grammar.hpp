@@ -45,7 +45,8 @@ struct word_of {
 };
 struct identifier : token<peg::identifier> {};
 struct name : token<word_of<WordClass::name>> {};
-struct word : token<word_of<WordClass::plain, WordClass::color, WordClass::function>> {};
+struct word : token<word_of<WordClass::plain, WordClass::color, WordClass::function,
+                            WordClass::function_of_one>> {};
 struct color_word : token<word_of<WordClass::color>> {};
 struct channel_name
     : peg::sor<peg::keyword<'r', 'e', 'd'>, peg::keyword<'g', 'r', 'e', 'e', 'n'>,
@@ -54,6 +55,7 @@ struct channel_name
                peg::keyword<'a', 'l', 'p', 'h', 'a'>> {};
 struct constant : token<word_of<WordClass::constant>> {};
 struct function_name : token<word_of<WordClass::function>> {};
+struct function_of_one : token<word_of<WordClass::function_of_one>> {};
 struct callee : peg::sor<function_name, name> {};
 
 template <char... Chars>
@@ -101,7 +103,10 @@ struct vector_items : peg::star<vector_item> {};
 struct vector : peg::if_must<open_angle, vector_items, close_angle> {};
 struct argument : peg::seq<rvalue> {};
 struct arguments : peg::opt<argument, peg::star<peg::opt<comma>, argument>> {};
-struct call : peg::seq<callee, peg::if_must<open_paren, arguments, close_paren>> {};
+struct only_argument : peg::seq<logic> {};
+struct call
+    : peg::sor<peg::seq<function_of_one, peg::if_must<open_paren, only_argument, close_paren>>,
+               peg::seq<callee, peg::if_must<open_paren, arguments, close_paren>>> {};
 struct variable : name {};
 struct index;
 struct element_of : peg::seq<variable, peg::star<index>> {};
@@ -142,11 +147,13 @@ struct raw_text
 struct raw_close : peg::one<'}'> {};
 struct raw_brace : peg::if_must<peg::one<'{'>, raw_text, raw_close> {};
 struct parameter : identifier {};
-struct parameters
-    : peg::opt<parameter, peg::star<peg::opt<comma>, parameter>, peg::opt<comma>> {};
+struct parameters : peg::opt<parameter, peg::star<peg::opt<comma>, parameter>, peg::opt<comma>> {};
+struct raster_size : peg::seq<digits, spacing, comma, digits, spacing> {
+};  // of a height_field's function
 struct function_head
     : peg::seq<key<'f', 'u', 'n', 'c', 't', 'i', 'o', 'n'>,
-               peg::opt<open_paren, parameters, close_paren>, peg::at<open_brace>> {};
+               peg::opt<peg::sor<peg::seq<open_paren, parameters, close_paren>, raster_size>>,
+               peg::at<open_brace>> {};
 struct function : peg::if_must<function_head, token<raw_brace>> {};
 struct array_init;
 struct element : peg::sor<array_init, rvalue> {};
@@ -164,7 +171,7 @@ struct block : peg::seq<block_word, peg::if_must<open_brace, items, close_brace>
 struct layered
     : peg::plus<peg::seq<peg::at<key<'t', 'e', 'x', 't', 'u', 'r', 'e'>, open_brace>, block>> {};
 struct conditional;
-struct value : peg::sor<conditional, array, function, layered, block, color_phrase, logic> {};
+struct value : peg::sor<conditional, array, function, layered, block, color_phrase, sum> {};
 struct rvalue : value {};
 
 // Directives
@@ -173,9 +180,8 @@ struct hash : token<peg::one<'#'>> {};
 struct end : peg::seq<hash, key<'e', 'n', 'd'>> {};
 struct target_index : index {};
 struct target : peg::seq<name, peg::star<target_index>> {};
-struct deprecated
-    : peg::seq<key<'d', 'e', 'p', 'r', 'e', 'c', 'a', 't', 'e', 'd'>,
-               peg::opt<key<'o', 'n', 'c', 'e'>>, peg::opt<raw_string, spacing>> {};
+struct deprecated : peg::seq<key<'d', 'e', 'p', 'r', 'e', 'c', 'a', 't', 'e', 'd'>,
+                             peg::opt<key<'o', 'n', 'c', 'e'>>, peg::opt<raw_string, spacing>> {};
 struct declare
     : peg::if_must<peg::sor<key<'d', 'e', 'c', 'l', 'a', 'r', 'e'>, key<'l', 'o', 'c', 'a', 'l'>>,
                    peg::opt<deprecated>, target, equals, rvalue, peg::opt<semicolon>> {};
@@ -244,9 +250,11 @@ struct closing_word
                peg::keyword<'r', 'a', 'n', 'g', 'e'>> {};
 struct known_directive : peg::failure {};
 struct bad_directive : peg::if_must<peg::not_at<closing_word>, known_directive> {};
-struct conditional : peg::seq<peg::at<hash, peg::sor<peg::keyword<'i', 'f'>,
-                                                     peg::keyword<'s', 'w', 'i', 't', 'c', 'h'>>>,
-                              directive> {};
+struct opening_word : peg::sor<peg::keyword<'i', 'f'>, peg::keyword<'i', 'f', 'd', 'e', 'f'>,
+                               peg::keyword<'i', 'f', 'n', 'd', 'e', 'f'>,
+                               peg::keyword<'s', 'w', 'i', 't', 'c', 'h'>,
+                               peg::keyword<'i', 'n', 'c', 'l', 'u', 'd', 'e'>> {};
+struct conditional : peg::seq<peg::at<hash, opening_word>, directive> {};
 struct directive
     : peg::seq<hash, peg::sor<declare, if_, ifdef, while_, for_, switch_, break_, macro, include,
                               undef, default_, version, message, file_io, bad_directive>> {};

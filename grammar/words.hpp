@@ -7,15 +7,21 @@ namespace meniscus::grammar {
 
 /// The language's own words: none of them can be declared. Each belongs to one class.
 enum class WordClass {
-    name,      // not reserved: the scene's own
-    plain,     // hollow, gradient, sphere, ...
-    color,     // rgb, color, red, ...: may start a colour
-    constant,  // pi, x, clock, ...: a value by itself
-    function,  // sin, vrotate, str, ...: a call where a parenthesis follows
+    name,             // not reserved: the scene's own
+    plain,            // hollow, gradient, sphere, ...
+    color,            // rgb, color, red, ...: may start a colour
+    constant,         // pi, x, clock, ...: a value by itself
+    function,         // sin, vrotate, str, ...: a call where a parenthesis follows
+    function_of_one,  // the same; its only argument may be a comparison
 };
 
 WordClass classify(std::string_view word);
 inline bool is_reserved(std::string_view word) { return classify(word) != WordClass::name; }
+
+inline bool is_function(std::string_view word) {
+    const auto found = classify(word);
+    return found == WordClass::function || found == WordClass::function_of_one;
+}
 
 /// All reserved words, sorted.
 std::span<const std::string_view> reserved_words();

@@ -248,10 +248,12 @@ bool Cursor::accept_comma() {
     return true;
 }
 
-void Cursor::accept_semicolon() {
+bool Cursor::accept_semicolon() {
     const auto* item = peek();
     const auto* separator = item ? std::get_if<ast::Separator>(&item->node) : nullptr;
-    if (separator && separator->mark == ';') advance();
+    if (!separator || separator->mark != ';') return false;
+    advance();
+    return true;
 }
 
 const ast::Block* Cursor::block() {

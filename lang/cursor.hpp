@@ -36,7 +36,7 @@ public:
     std::string_view word();
     bool accept(std::string_view word);
     bool accept_comma();
-    void accept_semicolon();
+    bool accept_semicolon();
     /// The next item if it is a block.
     const ast::Block* block();
     const ast::MapEntry* map_entry();

@@ -13,9 +13,9 @@ namespace {
 
 bool needs_semicolon(const Value& value) { return value.get<double>() || value.get<Vector>(); }
 
-void check_semicolon(Session& session, const ast::Declare& node, const Value& value,
+void check_semicolon(Session& session, const ast::Declare& node, const Value& value, bool closed,
                      const Span& span) {
-    if (node.closed || !needs_semicolon(value)) return;
+    if (closed || !needs_semicolon(value)) return;
     const auto text =
         fmt::format("expected ';' after the value of '{}'", node.target.variable.name);
     Span end = span;
@@ -71,8 +71,9 @@ void declare(Session& session, const ast::Declare& node, const Span& span) {
     const auto& target = node.target;
     Cursor cursor(session, node.value, span, "#declare");
     auto value = read_value(cursor);
+    const bool closed = cursor.accept_semicolon() || node.closed;
     cursor.expect_end();
-    check_semicolon(session, node, value, span);
+    check_semicolon(session, node, value, closed, span);
     if (target.variable.indices.empty()) {
         auto slot = node.local ? session.symbols.declare_local(target.variable.name)
                                : session.symbols.declare(target.variable.name);

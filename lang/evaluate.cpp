@@ -106,14 +106,13 @@ Value is_defined(Session& session, const ast::Call& node, const Span& span) {
 }
 
 Value call(Session& session, const ast::Call& node, const Span& span) {
-    const bool builtin = grammar::classify(node.callee) == grammar::WordClass::function;
+    const bool builtin = grammar::is_function(node.callee);
     if (!builtin) {
         const auto slot = session.symbols.find(node.callee);
         if (!slot) {
             auto names = session.symbols.names();
             for (const auto word : grammar::reserved_words()) {
-                if (grammar::classify(word) == grammar::WordClass::function)
-                    names.emplace_back(word);
+                if (grammar::is_function(word)) names.emplace_back(word);
             }
             Span name = span;
             name.end = name.begin + static_cast<std::uint32_t>(node.callee.size());

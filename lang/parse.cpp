@@ -155,7 +155,7 @@ private:
     ast::Call call(Node n) const {
         ast::Call result{word(n), {}};
         each_child(n, [&](Node child) {
-            if (kind(child) == Kind::argument) result.arguments.push_back(value(first(child)));
+            if (kind(child) == Kind::argument) result.arguments.push_back(argument(first(child)));
         });
         return result;
     }
@@ -204,6 +204,12 @@ private:
     // Items
 
     ast::Items items(Node n) const { return children_as_items(n); }
+    ast::Items argument(Node n) const {
+        if (kind(n) == Kind::value) return value(n);
+        ast::Items result;
+        result.push_back(item(n));
+        return result;
+    }
     ast::Items value(Node n) const { return children_as_items(n); }
     ast::Items children_as_items(Node n) const {
         ast::Items result;

@@ -111,9 +111,8 @@ scene::Camera resolve(const CameraItem& camera, const Span& span) {
         const double hand = sign(glm::dot(glm::cross(camera.up, camera.direction), camera.right));
         const auto d = towards / distance;
         auto r = glm::cross(camera.sky, d);
-        if (glm::length(r) < 1e-12 * glm::length(camera.sky)) {
-            fail(span, "the camera looks along its 'sky': give another 'sky'");
-        }
+        // looking along the sky, POV-Ray keeps `right` as it was given
+        if (glm::length(r) < 1e-10 * glm::length(camera.sky)) r = camera.right;
         r = glm::normalize(r);
         result.direction = depth * d;
         result.right = hand * width * r;

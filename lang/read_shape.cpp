@@ -116,14 +116,24 @@ geom::Lathe read_lathe(Cursor& cursor, const Span& span) {
     }
 }
 
+/// A box without height is a rectangle: a surface, as no ray can be inside it.
+std::optional<geom::Polygon> flat_box(const geom::Box& box) {
+    const auto a = box.corner1, c = box.corner2;
+    Vec3 b = a, d = a;
+    if ((a.x == c.x) + (a.y == c.y) + (a.z == c.z) != 1) return std::nullopt;
+    const int first = a.x == c.x ? 1 : 0, second = a.z == c.z ? 1 : 2;
+    b[first] = c[first];
+    d[second] = c[second];
+    return geom::Polygon({a, b, c, d, a});
+}
+
 std::string_view fault(const geom::Sphere& s) {
     return s.radius == 0.0 ? "this sphere has radius 0" : "";
 }
 std::string_view fault(const geom::Box& b) {
     const auto size = b.corner1 - b.corner2;
-    return size.x == 0.0 || size.y == 0.0 || size.z == 0.0
-               ? "this box has no volume: its corners share a coordinate"
-               : "";
+    const int flat = (size.x == 0.0) + (size.y == 0.0) + (size.z == 0.0);
+    return flat > 1 ? "this box has no extent: its corners lie on an edge" : "";
 }
 std::string_view fault(const geom::Cylinder& c) {
     if (c.radius == 0.0) return "this cylinder has radius 0";
@@ -168,7 +178,11 @@ std::optional<geom::Shape> read_shape(Cursor& cursor) {
     if (word == "lathe") return read_lathe(cursor, span);
     if (word == "mesh") return read_mesh(cursor, span);
     if (word == "mesh2") return read_mesh2(cursor, span);
-    return read_any(cursor, all_shapes);
+    auto shape = read_any(cursor, all_shapes);
+    if (const auto* box = shape ? std::get_if<geom::Box>(&*shape) : nullptr) {
+        if (auto flat = flat_box(*box)) return *flat;
+    }
+    return shape;
 }
 
 void check_shape(const geom::Shape& shape, const Span& span) {

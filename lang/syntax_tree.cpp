@@ -28,8 +28,8 @@ constexpr Kind kind_of() {
     if (derives<Rule, g::string>) return Kind::string;
     if (derives<Rule, g::vector>) return Kind::vector;
     if (derives<Rule, g::call>) return Kind::call;
-    if (derives<Rule, g::callee>) return Kind::callee;
-    if (derives<Rule, g::argument>) return Kind::argument;
+    if (derives<Rule, g::callee, g::function_of_one>) return Kind::callee;
+    if (derives<Rule, g::argument, g::only_argument>) return Kind::argument;
     if (derives<Rule, g::constant>) return Kind::constant;
     if (derives<Rule, g::variable>) return Kind::variable_name;
     if (derives<Rule, g::element_of>) return Kind::element_of;
@@ -198,6 +198,10 @@ std::string found_at(const Span& text, std::size_t offset) {
         message += " '#" + found.substr(1);
     } else if (message.starts_with("expected")) {
         message += ", found " + found;
+        if (message.starts_with(g::expected<g::close_brace>) && found.starts_with("'#")) {
+            message +=
+                ": a block must close where it opens, on the same side of #if, #else and #end";
+        }
         if (found.size() > 2 &&
             g::is_reserved(std::string_view{found}.substr(1, found.size() - 2)) &&
             (message.starts_with("expected a name"))) {
