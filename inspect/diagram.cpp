@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <vector>
 
 #include "inspect/side_view.hpp"
 #include "inspect/text_report.hpp"
@@ -16,13 +16,9 @@ using geom::Vec2;
 using geom::Vec3;
 
 constexpr double width = 900.0, margin = 20.0, line_height = 18.0;
-constexpr int rows = 240, most_labels = 40;
+constexpr int rows = 360;
 constexpr auto colors = std::to_array<std::string_view>(
     {"#1f77b4", "#2ca02c", "#d62728", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#e377c2"});
-
-std::string_view color(int solid) {
-    return solid == tracer::outside ? "#777777" : colors[std::size_t(solid) % colors.size()];
-}
 
 std::string escaped(std::string_view text) {
     std::string out;
@@ -40,6 +36,14 @@ std::string escaped(std::string_view text) {
         }
     }
     return out;
+}
+
+/// Of a label, on the page.
+struct Box {
+    double x0, y0, x1, y1;
+};
+bool overlap(const Box& a, const Box& b) {
+    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }
 
 class Diagram {
@@ -69,7 +73,7 @@ public:
         for (const int solid : seen_) {
             out += fmt::format(
                 "<rect x=\"{}\" y=\"{:.1f}\" width=\"14\" height=\"10\" fill=\"{}\"/>\n", margin,
-                y - 9.0, color(solid));
+                y - 9.0, color_of(solid));
             write(margin + 22.0, fmt::format("{}, ior {}", names_.with_priority(solid),
                                              text(tracer::medium(scene_, solid).ior)));
         }
@@ -81,6 +85,17 @@ public:
     }
 
 private:
+    /// Colours are handed out in the order of use.
+    std::string_view color(int solid) {
+        if (std::ranges::find(seen_, solid) == seen_.end()) seen_.push_back(solid);
+        return color_of(solid);
+    }
+    std::string_view color_of(int solid) const {
+        if (solid == tracer::outside) return "#777777";
+        const auto index = std::ranges::find(seen_, solid) - seen_.begin();
+        return colors[std::size_t(index) % colors.size()];
+    }
+
     Vec2 on_page(const Vec2& q) const {
         return {margin + (q.x - view_.low.x) * scale_, margin + (view_.high.y - q.y) * scale_};
     }
@@ -90,7 +105,6 @@ private:
         const double row = view_.size().y * scale_ / rows;
         for (const Run& run : cross_section(scene_, view_, rows)) {
             const Vec2 start = on_page(Vec2{run.x0, run.y});
-            seen_.insert(run.solid);
             body_ += fmt::format(
                 "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" "
                 "fill-opacity=\"{}\"/>\n",
@@ -110,7 +124,6 @@ private:
         const double length = 2.0 * (view_.size().x + view_.size().y);
         const Vec3 end = escapes ? node.start.ray.at(length) : node.event.origin.origin;
         const Vec2 a = on_page(start), b = on_page(end);
-        seen_.insert(medium);
         body_ += fmt::format(
             "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\" "
             "stroke-width=\"{:.1f}\"{}><title>{}</title></line>\n",
@@ -142,9 +155,22 @@ private:
                 at.x, at.y, step.is_true ? ink : "white", ink,
                 escaped(fmt::format("{}: {}: {}; list: {}", label, step.is_true ? "true" : "false",
                                     reasons, text(names_, step.after))));
-            if (labels_++ >= most_labels) continue;
-            body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"10\">{}</text>\n",
-                                 at.x + 6.0, at.y + (labels_ % 2 ? -7.0 : 14.0), escaped(label));
+            write_label(at, label);
+        }
+    }
+
+    /// Beside its dot where there is room, else not at all: the dot has a title.
+    void write_label(const Vec2& at, const std::string& label) {
+        constexpr double font_size = 10.0, mean_width = 5.2;
+        for (const double dy : {-8.0, 16.0, -20.0, 28.0, -32.0, 40.0}) {
+            const Box box{at.x + 6.0, at.y + dy - font_size,
+                          at.x + 6.0 + mean_width * double(label.size()), at.y + dy};
+            const auto collides = [&](const Box& other) { return overlap(box, other); };
+            if (std::ranges::any_of(labels_, collides)) continue;
+            labels_.push_back(box);
+            body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\">{}</text>\n",
+                                 box.x0, box.y1, font_size, escaped(label));
+            return;
         }
     }
 
@@ -154,8 +180,8 @@ private:
     SideView view_;
     double scale_ = 1.0, height_ = 0.0;
     std::string body_;
-    std::set<int> seen_;  // the solids that the legend names
-    int labels_ = 0;
+    std::vector<int> seen_;  // the solids that the legend names
+    std::vector<Box> labels_;
 };
 
 }  // namespace

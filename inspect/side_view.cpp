@@ -49,7 +49,10 @@ void add_media(tracer::EventFinder& finder, const geom::Ray& row, double length,
         ray.ray = event->origin;
         ray.ray.direction = row.direction;
         ray.interior = event->after;
-        ray.contacts = event->contacts;
+        ray.contacts = event->contacts;  // as of a ray that stays on this side
+        for (tracer::Contact& contact : ray.contacts) {
+            contact.starts_inside = !contact.starts_inside;
+        }
         ray.birth_magnitude = event->magnitude;
     }
 }
@@ -70,8 +73,10 @@ SideView::SideView(const scene::Camera& camera, const PixelTrace& trace) {
         high = empty ? q : glm::max(high, q);
         empty = false;
     };
+    constexpr double least_weight = 0.05;  // what is fainter does not shape the picture
     for (const Segment& segment : trace.segments) {
-        if (segment.ends_at_surface()) extend(project(segment.node.event.origin.origin));
+        if (segment.ends_at_surface() && segment.node.weight >= least_weight)
+            extend(project(segment.node.event.origin.origin));
     }
     if (empty) extend(Vec2{0.0});
     // A margin for what comes and goes; never a window without height.
