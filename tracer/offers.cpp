@@ -57,7 +57,7 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     }
 
     if (inside) {
-        if (!(interval.t1 <= t_max)) return;
+        if (!(interval.t1 <= t_max) || interval.t1 == geom::infinity) return;
         if (interval.t1 < 0.0 && !contact) {
             count_forced(ray, part, -interval.t1 * cosine(ray, part, interval.face1, interval.t1));
         }
@@ -79,7 +79,9 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
         count_forced(ray, part, -interval.t0 * cosine(ray, part, interval.face0, interval.t0));
     }
     out.push_back({start, index, interval.face0, !part.inverse});
-    if (interval.t1 <= t_max) out.push_back({interval.t1, index, interval.face1, part.inverse});
+    if (interval.t1 <= t_max && interval.t1 != geom::infinity) {
+        out.push_back({interval.t1, index, interval.face1, part.inverse});
+    }
 }
 
 void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
