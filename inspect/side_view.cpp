@@ -1,6 +1,7 @@
 #include "inspect/side_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracer/next_event.hpp"
 
@@ -57,12 +58,25 @@ void add_media(tracer::EventFinder& finder, const geom::Ray& row, double length,
     }
 }
 
+/// The axis that the picture's upper edge is nearest to, so that floors are level; else the
+/// camera's own up.
+Vec3 upright(const scene::Camera& camera, const Vec3& direction) {
+    const Vec3 up = glm::normalize(camera.up);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(up[axis]) < 0.7 || std::abs(direction[axis]) > 0.99) continue;
+        Vec3 result{0.0};
+        result[axis] = up[axis] > 0.0 ? 1.0 : -1.0;
+        return result;
+    }
+    return up;
+}
+
 }  // namespace
 
 SideView::SideView(const scene::Camera& camera, const PixelTrace& trace) {
     const geom::Ray& ray = trace.segments.at(0).node.start.ray;
     origin = ray.origin;
-    upwards = glm::normalize(camera.up);
+    upwards = upright(camera, ray.direction);
     across = ray.direction - glm::dot(ray.direction, upwards) * upwards;
     if (glm::length(across) < 1e-6) across = camera.right;
     across = glm::normalize(across - glm::dot(across, upwards) * upwards);
