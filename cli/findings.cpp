@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,10 @@ Diagnostic diagnostic(Diagnostic::Severity severity, const scene::Location& loca
     return result;
 }
 
+bool is_same(const scene::Location& a, const scene::Location& b) {
+    return a.file == b.file && a.line == b.line && a.column == b.column;
+}
+
 Diagnostic::Severity severity(const Finding& finding) {
     return finding.severity == Finding::Severity::warning ? Diagnostic::Severity::warning
                                                           : Diagnostic::Severity::note;
@@ -72,6 +77,7 @@ std::string format_findings(const std::vector<Finding>& findings) {
     for (const auto& finding : findings) {
         text += lang::format(diagnostic(severity(finding), finding.location, finding.text));
         for (const auto& related : finding.related) {
+            if (is_same(related.location, finding.location)) continue;
             text += lang::format(
                 diagnostic(Diagnostic::Severity::note, related.location, related.text));
         }

@@ -46,8 +46,10 @@ void find_media_without_solid(const RenderScene& scene, const Names& names,
         Finding finding;
         finding.lint = "interior-without-solid";
         finding.location = scene.source.objects[std::size_t(part.object)].location;
-        finding.text = fmt::format("{} ({}) is a surface and never a solid: its {} no effect",
-                                   names.object(part.object), geom::keyword(part.shape.shape()),
+        const auto& name = names.object(part.object);
+        const auto keyword = geom::keyword(part.shape.shape());
+        finding.text = fmt::format("{}{} is a surface and never a solid: its {} no effect", name,
+                                   name.starts_with(keyword) ? "" : fmt::format(" ({})", keyword),
                                    stated(interior));
         finding.advice = how_to_close(part.shape.shape());
         findings.push_back(std::move(finding));

@@ -12,18 +12,22 @@ using tracer::TreeNode;
 /// Of one segment; lines come without indentation.
 class Paragraph {
 public:
-    Paragraph(const tracer::RenderScene& scene, const Names& names, const Segment& segment,
+    Paragraph(const tracer::RenderScene& scene, const Names& names, const PixelTrace& trace,
               std::size_t index)
-        : scene_(scene), names_(names), segment_(segment), node_(segment.node) {
+        : scene_(scene),
+          names_(names),
+          segment_(trace.segments[index]),
+          node_(segment_.node),
+          has_list_(trace.interior != tracer::InteriorMode::off) {
         header(index);
         if (node_.end == TreeNode::End::depth) {
             add("  not followed: the tree's depth ends here");
         } else if (node_.end == TreeNode::End::weight) {
             add("  not followed: its weight is too low");
         } else {
-            list(segment.start);
-            for (const Step& step : segment.steps) crossings(step);
-            segment.ends_at_surface() ? surface() : sky();
+            list(segment_.start);
+            for (const Step& step : segment_.steps) crossings(step);
+            segment_.ends_at_surface() ? surface() : sky();
         }
     }
 
@@ -49,7 +53,9 @@ private:
         add("  from {} towards {}", text(ray.origin), text(ray.direction));
     }
 
-    void list(const Listing& listing) { add("  list: {}", text(names_, listing)); }
+    void list(const Listing& listing) {
+        if (has_list_) add("  list: {}", text(names_, listing));
+    }
 
     void crossings(const Step& step) {
         for (std::size_t i = 0; i < step.crossings.size(); ++i) {
@@ -114,6 +120,7 @@ private:
     const Names& names_;
     const Segment& segment_;
     const TreeNode& node_;
+    bool has_list_;
     std::vector<std::string> lines_;
 };
 
@@ -139,10 +146,9 @@ std::string format_text(const tracer::RenderScene& scene, const Names& names,
                            trace.width, trace.height, tracer::name(trace.tree),
                            tracer::name(trace.interior));
     for (std::size_t i = 0; i < trace.segments.size(); ++i) {
-        const Segment& segment = trace.segments[i];
-        const std::string indentation(std::size_t(2 * segment.nesting), ' ');
+        const std::string indentation(std::size_t(2 * trace.segments[i].nesting), ' ');
         out += '\n';
-        const Paragraph paragraph(scene, names, segment, i);
+        const Paragraph paragraph(scene, names, trace, i);
         for (const auto& line : paragraph.lines()) {
             out += indentation + line + '\n';
         }
