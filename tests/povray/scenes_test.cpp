@@ -1,0 +1,63 @@
+// Each file in scenes/ is read by POV-Ray and by Meniscus as it is, and rendered at pixel centres
+// by both. Its first line says how near the pictures must be, and why not nearer:
+//     // expect rmse 1e-5: rounding to 16 bits is 4.4e-6
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <regex>
+
+#include "lang/interpret.hpp"
+#include "tests/povray/povray.hpp"
+#include "tracer/render.hpp"
+
+using namespace meniscus;
+
+namespace {
+
+constexpr int width = 160, height = 120;
+
+double expected_rmse(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    std::smatch match;
+    const std::regex pattern("// expect rmse ([0-9.e-]+): .+");
+    INFO(path.filename() << " must begin with a line '// expect rmse 1e-5: reason'");
+    REQUIRE(std::regex_match(line, match, pattern));
+    return std::stod(match[1]);
+}
+
+std::vector<std::filesystem::path> scenes() {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(SCENES_FOLDER)) {
+        if (entry.path().extension() == ".pov") paths.push_back(entry.path());
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
+}  // namespace
+
+TEST_CASE("scenes look as POV-Ray renders them", "[povray]") {
+    const auto paths = scenes();
+    REQUIRE(paths.size() >= 25);
+    for (const auto& path : paths) {
+        DYNAMIC_SECTION(path.stem().string()) {
+            lang::Options reading;
+            reading.image_width = width;
+            reading.image_height = height;
+            tracer::Options options;
+            options.width = width;
+            options.height = height;
+            options.sampling = tracer::GridSampling{1};
+            const auto scene = tracer::compile(lang::interpret_file(path, reading).scene);
+            const auto ours = tracer::render(scene, options);
+            const auto difference =
+                test::difference(test::run_povray(path, width, height), ours.picture.rgb);
+            INFO(difference.text());
+            CHECK(difference.rmse <= expected_rmse(path));
+            CHECK(ours.statistics.leaks == 0);
+        }
+    }
+}
