@@ -14,10 +14,7 @@ namespace {
 template <class Real>
 void check_equal(std::uint64_t first_seed, std::uint64_t seeds, const RandomSceneOptions& options,
                  Picture picture = {}) {
-    if (options.scale != 1.0 || options.offset != geom::Vec3{0.0}) {
-        const double size = options.scale * 10.0 + geom::max_abs(options.offset);
-        picture.limits.contact = 1e-13 * size;
-    }
+    picture.limits.contact = contact_of(options);
     std::size_t pixels = 0, far_off = 0;
     for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
         const auto difference = compare<Real>(random_scene(seed, options), picture);

@@ -12,7 +12,8 @@ namespace {
 /// splitmix64 (Steele, Lea and Flood 2014).
 class Random {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
+    /// One step takes neighbouring seeds, whose sequences would overlap, far apart.
+    explicit Random(std::uint64_t seed) : state_(seed) { state_ = next(); }
     std::uint64_t next() {
         std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -199,8 +200,9 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
     if (options.floor && random.chance(0.7)) {
         scene::Finish finish;
         finish.ambient = scene::Rgb{0.2};
-        builder.opaque(geom::Plane{{0.0, 1.0, 0.0}, random.lattice(-3.0, -1.5)},
-                       checker(random.point(0.0, 0.4), random.point(0.6, 1.0)), finish,
+        auto tiles = checker(random.point(0.0, 0.4), random.point(0.6, 1.0));
+        tiles.transform = geom::Transform::translation({0.0, 0.25, 0.0});  // off the lattice
+        builder.opaque(geom::Plane{{0.0, 1.0, 0.0}, random.lattice(-3.0, -1.5)}, tiles, finish,
                        place(geom::Vec3{0.0}, geom::Vec3{1.0}));
         builder.lamp(whole.point(rotation.point(random.point(2.0, 5.0))), scene::Rgb{0.7});
     }
@@ -226,6 +228,10 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
             solid.interior.absorption /= options.scale;
     }
     return builder.scene();
+}
+
+double contact_of(const RandomSceneOptions& options) {
+    return 1e-12 * options.scale + 8e-15 * geom::max_abs(options.offset);
 }
 
 }  // namespace meniscus::oracle

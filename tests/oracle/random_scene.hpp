@@ -25,4 +25,8 @@ struct RandomSceneOptions {
 /// The same scene for the same seed, on every machine. No two solids have the same priority.
 scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
+/// The distance, in scene units, below which the oracle takes a random scene's surfaces to be in contact:
+/// beyond what rounding moved them by.
+double contact_of(const RandomSceneOptions& options);
+
 }  // namespace meniscus::oracle

@@ -65,12 +65,13 @@ public:
                      transform);
     }
 
-    /// An opaque solid that stands in no list.
+    /// An opaque solid that stands in no list. Its texture goes with it.
     SceneBuilder& opaque(const geom::Shape& shape, const scene::Pigment& pigment,
                          const scene::Finish& finish = {}, const geom::Transform& transform = {}) {
         scene::Texture texture;
         texture.pigment = pigment;
         texture.finish = finish;
+        texture.transform = transform;
         return solid(shape, {}, texture, transform);
     }
 

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     if (words.contains("large")) options.scale = 1e6;
     if (words.contains("far")) options.offset = {1000000.3, 700007.7, -1234567.1};
     oracle::Picture picture;
-    picture.limits.contact = 1e-13 * (options.scale * 10.0 + geom::max_abs(options.offset));
+    picture.limits.contact = oracle::contact_of(options);
 
     std::size_t pixels = 0, off = 0, far_off = 0, leaks = 0;
     for (auto seed = std::strtoull(argv[1], nullptr, 10); seed <= std::strtoull(argv[2], nullptr, 10);

@@ -12,8 +12,12 @@ namespace meniscus::oracle {
 
 /// Where the whole ray tree ends, with the meaning that `tracer::Options` gives to both.
 struct Limits {
-    int depth = 20;       // segments of one path, the camera's counted
-    double cutoff = 1e-6;  // branches whose specular factors multiply to less are dropped
+    /// Segments of one path, the camera's counted. Where a surface bends nothing, the segment behind it is
+    /// not counted anew, but the last one is still the last.
+    int depth = 20;
+    /// Branches of less weight are dropped: the product of the largest channels of what was reflected and
+    /// let through on the way.
+    double cutoff = 1e-6;
     double contact = 1e-12;  // see World; in scene units
 };
 
@@ -62,13 +66,16 @@ public:
         const V offset = a * widen<Real>(camera.right) + b * widen<Real>(camera.up);
         const V location = widen<Real>(camera.location), ahead = widen<Real>(camera.direction);
         if (camera.kind == scene::Camera::Kind::orthographic)
-            return radiance(location + offset, unit(ahead), 1, Rgb{1.0});
-        return radiance(location, unit(ahead + offset), 1, Rgb{1.0});
+            return radiance(location + offset, unit(ahead), 0, 1.0);
+        return radiance(location, unit(ahead + offset), 0, 1.0);
     }
 
-    Rgb radiance(const V& o, const V& d, int level, const Rgb& weight) const {
-        if (level > limits_.depth) return Rgb{0.0};
-        if (std::max({weight.r, weight.g, weight.b}) < limits_.cutoff) return Rgb{0.0};
+    /// `level` is that of the segment before.
+    Rgb radiance(const V& o, const V& d, int level, double weight,
+                 bool straight_on = false) const {
+        if (level >= limits_.depth) return Rgb{0.0};
+        if (!straight_on) ++level;
+        if (weight < limits_.cutoff) return Rgb{0.0};
         int start = nothing;
         const auto surface = world_.next(o, d, start);
         if (!surface) {
@@ -85,8 +92,13 @@ public:
 
 private:
     static geom::Vec3 narrow(const V& v) { return {double(v.x), double(v.y), double(v.z)}; }
+    static double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
     static V mirrored(const V& d, const V& n) { return unit(d - (2 * dot(d, n)) * n); }
     Real ior(int solid) const { return world_.medium(solid).ior; }
+
+    bool bends_nothing(const Surface<Real>& surface) const {
+        return absolute(ior(surface.before) / ior(surface.after) - 1) < Real(1e-10);
+    }
 
     /// Snell; no direction under total reflection. `n` faces the ray.
     std::optional<V> refracted(const Surface<Real>& surface, const V& d) const {
@@ -97,21 +109,21 @@ private:
     }
 
     Rgb clear_skin(const Surface<Real>& surface, const V& p, const V& d, int level,
-                   const Rgb& weight) const {
+                   double weight) const {
         const auto through = refracted(surface, d);
         const V back = mirrored(d, surface.normal);
-        if (!through) return radiance(p, back, level + 1, weight);
+        if (!through) return radiance(p, back, level, weight);
         const double reflected = double(
             reflectance(ior(surface.before), ior(surface.after), -dot(d, surface.normal)));
         Rgb light = (1.0 - reflected) *
-                    radiance(p, *through, level + 1, (1.0 - reflected) * weight);
-        if (reflected > 0.0) light += reflected * radiance(p, back, level + 1, reflected * weight);
+                    radiance(p, *through, level, (1.0 - reflected) * weight, bends_nothing(surface));
+        if (reflected > 0.0) light += reflected * radiance(p, back, level, reflected * weight);
         return light;
     }
 
     /// POV-Ray's rules for a finish.
     Rgb textured(const Surface<Real>& surface, const scene::Texture& texture, const V& p, const V& d,
-                 int level, const Rgb& weight) const {
+                 int level, double weight) const {
         const scene::Finish& finish = texture.finish;
         const geom::Vec3 in_texture =
             texture.transform.inverse_linear() * (narrow(p) - texture.transform.shift());
@@ -127,13 +139,16 @@ private:
         Rgb through = color.transparency();
         if (finish.conserve_energy) through *= Rgb{1.0} - rho;
         const V back = mirrored(d, surface.normal);
-        if (std::max({through.r, through.g, through.b}) > 0.0) {
+        if (largest(through) > 0.0) {
             const auto direction = refracted(surface, d);
-            if (!direction) return light + radiance(p, back, level + 1, weight);
-            light += through * radiance(p, *direction, level + 1, through * weight);
+            if (!direction) return light + radiance(p, back, level, largest(through) * weight);
+            light += through * radiance(p, *direction, level, largest(through) * weight,
+                                        bends_nothing(surface));
         }
         if (finish.reflection.is_active()) {
-            Rgb seen = radiance(p, back, level + 1, rho * weight);
+            const scene::Reflection& r = finish.reflection;
+            const double share = r.fresnel ? largest(rho) : std::max(largest(r.min), largest(r.max));
+            Rgb seen = radiance(p, back, level, share * weight);
             if (finish.reflection.exponent != 1.0)
                 seen = glm::pow(seen, Rgb{1.0 / finish.reflection.exponent});
             light += rho * seen;
