@@ -10,16 +10,15 @@
 
 namespace meniscus::oracle {
 
-/// One object of a scene, as two independent questions: where does a line meet any of the surfaces that
-/// its shape is cut from (whole planes, whole cylinders: more than its boundary), and does it contain a
-/// point. Which of the meetings are real is left to the second question.
+/// One object of a scene, as two independent questions: where does a line meet any of the surfaces
+/// that its shape is cut from (whole planes, whole cylinders: more than its boundary), and does it
+/// contain a point. Which of the meetings are real is left to the second question.
 template <class Real>
 class Body {
 public:
     using V = Vector<Real>;
 
-    explicit Body(const scene::Object& object)
-        : shape_(object.shape), inverse_(object.inverse) {
+    explicit Body(const scene::Object& object) : shape_(object.shape), inverse_(object.inverse) {
         const auto& m = object.transform.linear();  // m[column][row]
         const V a = widen<Real>(m[0]), b = widen<Real>(m[1]), c = widen<Real>(m[2]);
         const Real determinant = dot(a, cross(b, c));
@@ -175,9 +174,8 @@ private:
         if (pp > reach * reach) return;
         // (|p + t d|^2 + R^2 - r^2)^2 = 4 R^2 (|p + t d|^2 - (p + t d)_y^2), p.d = 0
         const Real k = pp + major * major - minor * minor, four = 4 * major * major;
-        const std::vector<Real> quartic{
-            k * k - four * (pp - p.y * p.y), four * 2 * p.y * d.y,
-            2 * k * dd - four * (dd - d.y * d.y), Real(0), dd * dd};
+        const std::vector<Real> quartic{k * k - four * (pp - p.y * p.y), four * 2 * p.y * d.y,
+                                        2 * k * dd - four * (dd - d.y * d.y), Real(0), dd * dd};
         const Real half = square_root(Real((reach * reach - pp) / dd)) * Real(1.01) + Real(1e-3);
         for (const Real t : real_roots(quartic, -half, half)) emit(nearest + t, 0);
     }

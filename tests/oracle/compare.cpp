@@ -23,7 +23,8 @@ tracer::Rendered rendered(const scene::Scene& scene, const Picture& picture, int
 
 std::string Difference::text() const {
     return fmt::format(
-        "{} of {} pixels off by 1e-6, {} by 2e-3; median {:.2g}, largest {:.2g} at ({}, {}); {} leaks",
+        "{} of {} pixels off by 1e-6, {} by 2e-3; median {:.2g}, largest {:.2g} at ({}, {}); {} "
+        "leaks",
         off, pixels, far_off, median, largest, worst_x, worst_y, leaks);
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("a thousand shells, each a little denser than the one around it", "[or
         builder.glass(geom::Sphere{{0, 0, 0}, 1.0 - 0.0009 * i}, 1.0 + 0.0005 * (i + 1), i,
                       scene::Rgb{0.001 * i, 0.0, 0.0});
     }
-    const Picture picture{.width = 6, .height = 4, .limits = {.depth = 3000, .cutoff = 1e-4}};
+    const Picture picture{.width = 3, .height = 1, .limits = {.depth = 3000, .cutoff = 1e-4}};
     const auto difference = compare<Extended>(builder.scene(), picture);
     INFO(difference.text());
     CHECK(difference.leaks == 0);

@@ -62,13 +62,14 @@ TEST_CASE("boxes nested, overlapping and stacked face to face", "[oracle][nest]"
 }
 
 TEST_CASE("a tumbler with water to the very wall, ice and bubbles", "[oracle][nest]") {
-    check_equal(room()
-                    .glass(geom::Cylinder{{0, -1.5, 0}, {0, 1.2, 0}, 1.0, false}, 1.5, 2, amber * 0.2)
-                    .glass(geom::Cylinder{{0, -1.2, 0}, {0, 1.2, 0}, 0.9, false}, 1.0, 3)
-                    .glass(geom::Cylinder{{0, -1.2, 0}, {0, 0.6, 0}, 0.9, false}, 1.33, 4, teal)
-                    .glass(geom::Box{{-0.4, 0.1, -0.4}, {0.3, 0.75, 0.3}}, 1.31, 5)
-                    .glass(geom::Sphere{{0.4, -0.5, -0.2}, 0.15}, 1.0, 6)
-                    .glass(geom::Sphere{{-0.3, -0.9, 0.1}, 0.1}, 1.0, 7));
+    check_equal(
+        room()
+            .glass(geom::Cylinder{{0, -1.5, 0}, {0, 1.2, 0}, 1.0, false}, 1.5, 2, amber * 0.2)
+            .glass(geom::Cylinder{{0, -1.2, 0}, {0, 1.2, 0}, 0.9, false}, 1.0, 3)
+            .glass(geom::Cylinder{{0, -1.2, 0}, {0, 0.6, 0}, 0.9, false}, 1.33, 4, teal)
+            .glass(geom::Box{{-0.4, 0.1, -0.4}, {0.3, 0.75, 0.3}}, 1.31, 5)
+            .glass(geom::Sphere{{0.4, -0.5, -0.2}, 0.15}, 1.0, 6)
+            .glass(geom::Sphere{{-0.3, -0.9, 0.1}, 0.1}, 1.0, 7));
 }
 
 TEST_CASE("cones, cylinders and a half-space of water", "[oracle][nest]") {

@@ -44,7 +44,8 @@ TEMPLATE_TEST_CASE("a slab of glass lets 2n over n^2 + 1 through", "[oracle]", d
     auto builder = ahead(scene::Rgb{1.0});
     builder.glass(geom::Box{{-5, -5, 0}, {5, 5, 1}}, 1.5, 1.0);
     builder.opaque(geom::Plane{{0, 0, -1}, -20.0}, plain({scene::Rgb{0.0}}));
-    const auto seen = look<TestType>(builder.scene());  // white in front, black behind: what is reflected
+    const auto seen =
+        look<TestType>(builder.scene());  // white in front, black behind: what is reflected
     CHECK_THAT(seen.r, WithinAbs(1.0 - 2.0 * 1.5 / (1.5 * 1.5 + 1.0), 1e-6));
 }
 

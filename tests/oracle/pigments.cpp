@@ -29,7 +29,8 @@ scene::Color look_up(const scene::ColorMap& map, double v) {
 scene::Color color_of(const scene::SolidColor& solid, const geom::Vec3&) { return solid.color; }
 
 scene::Color color_of(const scene::Checker& checker, const geom::Vec3& p) {
-    const double cells = std::floor(p.x + 1e-10) + std::floor(p.y + 1e-10) + std::floor(p.z + 1e-10);
+    const double cells =
+        std::floor(p.x + 1e-10) + std::floor(p.y + 1e-10) + std::floor(p.z + 1e-10);
     const bool even = std::fmod(cells, 2.0) == 0.0;
     return color_at(even ? *checker.first : *checker.second, p);
 }

@@ -108,7 +108,8 @@ scene::Texture random_skin(Random& random) {
     return texture;
 }
 
-/// A half-space holds everything: its complement or an unlucky one would fill the view, so few are drawn.
+/// A half-space holds everything: its complement or an unlucky one would fill the view, so few are
+/// drawn.
 geom::Shape random_half_space(Random& random) {
     return geom::Plane{axis_of(random.below(3), random.chance(0.5) ? 1.0 : -1.0),
                        random.lattice(-1.5, 0.5)};
@@ -127,16 +128,15 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
     };
     std::vector<Medium> media{{1.0, scene::Rgb{0.0}}};
     for (const double ior : {1.31, 1.33, 1.5, 1.5, 1.8, 2.4}) {
-        media.push_back(
-            {ior, random.chance(0.5) ? random.point(0.0, 0.6) : scene::Rgb{0.0}});
+        media.push_back({ior, random.chance(0.5) ? random.point(0.0, 0.6) : scene::Rgb{0.0}});
     }
 
-    const geom::Vec3 angles =
-        options.rotated ? random.point(-180.0, 180.0) : geom::Vec3{0.0};
+    const geom::Vec3 angles = options.rotated ? random.point(-180.0, 180.0) : geom::Vec3{0.0};
     const auto rotation = geom::Transform::rotation_degrees(angles);
     const auto whole = geom::Transform::scaling(geom::Vec3{options.scale})
                            .then(geom::Transform::translation(options.offset));
-    // The shape, whose coordinates are relative to `origin` and divided by `stretch`, into the scene.
+    // The shape, whose coordinates are relative to `origin` and divided by `stretch`, into the
+    // scene.
     const auto place = [&](const geom::Vec3& origin, const geom::Vec3& stretch) {
         auto transform = geom::Transform{};
         if (stretch != geom::Vec3{1.0}) transform = geom::Transform::scaling(stretch);
@@ -217,7 +217,8 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
     builder.sky(random.point(0.0, 0.5), random.point(0.5, 1.0));
 
     const bool within = random.chance(0.25);
-    const geom::Vec3 direction = glm::normalize(random.point(-1.0, 1.0) + geom::Vec3{0.0, 0.3, 0.0});
+    const geom::Vec3 direction =
+        glm::normalize(random.point(-1.0, 1.0) + geom::Vec3{0.0, 0.3, 0.0});
     const geom::Vec3 location =
         within ? random.point(-1.5, 1.5) : random.between(5.0, 7.0) * direction;
     const geom::Vec3 target = random.point(-0.3, 0.3);
@@ -231,7 +232,7 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
 }
 
 double contact_of(const RandomSceneOptions& options) {
-    return 1e-12 * options.scale + 8e-15 * geom::max_abs(options.offset);
+    return 3e-14 * options.scale + 4e-15 * geom::max_abs(options.offset);
 }
 
 }  // namespace meniscus::oracle

@@ -6,15 +6,16 @@
 
 namespace meniscus::oracle {
 
-/// What a random scene may hold. All its coordinates and sizes are multiples of one half, so that shared
-/// faces, edges and points of tangency are the rule; the camera and the lamp are not on that lattice.
+/// What a random scene may hold. All its coordinates and sizes are multiples of one half, so that
+/// shared faces, edges and points of tangency are the rule; the camera and the lamp are not on that
+/// lattice.
 struct RandomSceneOptions {
     int fewest_solids = 3, most_solids = 8;
     bool rotated = false;    // all under one rotation, each solid with an origin of its own
     bool stretched = false;  // each solid under a scaling of its own
     bool cones = false;
     bool tori = false;
-    bool textured = false;   // some skins with pigments, filters and highlights
+    bool textured = false;        // some skins with pigments, filters and highlights
     bool opaque_members = false;  // some opaque solids with a priority
     bool complements = false;     // some solids are the inverse of their shape
     bool floor = true;            // an opaque half-space with a checker, and a lamp
@@ -25,8 +26,8 @@ struct RandomSceneOptions {
 /// The same scene for the same seed, on every machine. No two solids have the same priority.
 scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
-/// The distance, in scene units, below which the oracle takes a random scene's surfaces to be in contact:
-/// beyond what rounding moved them by.
+/// The distance, in scene units, below which the oracle takes a random scene's surfaces to be in
+/// contact: beyond what rounding moved them by.
 double contact_of(const RandomSceneOptions& options);
 
 }  // namespace meniscus::oracle

@@ -4,7 +4,8 @@
 
 namespace meniscus::oracle {
 
-/// The types that the oracle is instantiated for: 53, 64 and 113 bits. The last is done in software and slow.
+/// The types that the oracle is instantiated for: 53, 64 and 113 bits. The last is done in software
+/// and slow.
 using Extended = long double;
 __extension__ typedef __float128 Quad;
 

@@ -21,8 +21,8 @@ inline scene::Pigment checker(const scene::Rgb& first, const scene::Rgb& second)
 class SceneBuilder {
 public:
     /// A camera with square pixels.
-    SceneBuilder& camera(const geom::Vec3& location, const geom::Vec3& look_at, double angle_degrees,
-                         double aspect = 4.0 / 3.0) {
+    SceneBuilder& camera(const geom::Vec3& location, const geom::Vec3& look_at,
+                         double angle_degrees, double aspect = 4.0 / 3.0) {
         const geom::Vec3 ahead = glm::normalize(look_at - location);
         const geom::Vec3 right = glm::normalize(glm::cross(geom::Vec3{0.0, 1.0, 0.0}, ahead));
         scene_.camera.location = location;
@@ -38,8 +38,8 @@ public:
         scene::Gradient gradient;
         gradient.direction = {0.0, 1.0, 0.0};
         gradient.map = scene::ColorMap{{{0.0, {low}}, {1.0, {high}}}};
-        const auto into_unit = geom::Transform::scaling(geom::Vec3{2.0}).then(
-            geom::Transform::translation({0.0, -1.0, 0.0}));
+        const auto into_unit = geom::Transform::scaling(geom::Vec3{2.0})
+                                   .then(geom::Transform::translation({0.0, -1.0, 0.0}));
         scene_.sky_sphere.pigments = {{gradient, into_unit}};
         return *this;
     }

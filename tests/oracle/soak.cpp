@@ -1,5 +1,6 @@
-// Compares random scenes, seed after seed: oracle_soak FIRST LAST [rotated] [stretched] [cones] [tori] [textured]
-// [members] [complements] [quad] [small] [large] [far]. Prints each seed that has a leak or a pixel off by more than 1e-6.
+// Compares random scenes, seed after seed: oracle_soak FIRST LAST [rotated] [stretched] [cones]
+// [tori] [textured] [members] [complements] [quad] [small] [large] [far]. Prints each seed that has
+// a leak or a pixel off by more than 1e-6.
 
 #include <fmt/format.h>
 
@@ -33,8 +34,8 @@ int main(int argc, char** argv) {
     picture.limits.contact = oracle::contact_of(options);
 
     std::size_t pixels = 0, off = 0, far_off = 0, leaks = 0;
-    for (auto seed = std::strtoull(argv[1], nullptr, 10); seed <= std::strtoull(argv[2], nullptr, 10);
-         ++seed) {
+    for (auto seed = std::strtoull(argv[1], nullptr, 10);
+         seed <= std::strtoull(argv[2], nullptr, 10); ++seed) {
         const auto scene = oracle::random_scene(seed, options);
         const auto difference = words.contains("quad")
                                     ? oracle::compare<oracle::Quad>(scene, picture)

@@ -12,13 +12,13 @@ namespace meniscus::oracle {
 
 /// Where the whole ray tree ends, with the meaning that `tracer::Options` gives to both.
 struct Limits {
-    /// Segments of one path, the camera's counted. Where a surface bends nothing, the segment behind it is
-    /// not counted anew, but the last one is still the last.
+    /// Segments of one path, the camera's counted. Where a surface bends nothing, the segment
+    /// behind it is not counted anew, but the last one is still the last.
     int depth = 20;
-    /// Branches of less weight are dropped: the product of the largest channels of what was reflected and
-    /// let through on the way.
+    /// Branches of less weight are dropped: the product of the largest channels of what was
+    /// reflected and let through on the way.
     double cutoff = 1e-6;
-    double contact = 1e-12;  // see World; in scene units
+    double contact = 3e-14;  // see World; in scene units
 };
 
 /// How much of the light gets through the length of a medium.
@@ -32,8 +32,8 @@ inline scene::Rgb transmittance(const scene::Interior& medium, double length) {
         if (medium.fade.power >= 1000.0) {
             if (color != 1.0) result[c] *= std::exp(-(1.0 - color) * way);
         } else {
-            result[c] *= forever ? color
-                                 : color + (1.0 - color) / (1.0 + std::pow(way, medium.fade.power));
+            result[c] *=
+                forever ? color : color + (1.0 - color) / (1.0 + std::pow(way, medium.fade.power));
         }
     }
     return result;
@@ -56,7 +56,8 @@ public:
     using V = Vector<Real>;
     using Rgb = scene::Rgb;
 
-    Tracer(const scene::Scene& scene, const Limits& limits) : world_(scene, limits.contact), limits_(limits) {}
+    Tracer(const scene::Scene& scene, const Limits& limits)
+        : world_(scene, limits.contact), limits_(limits) {}
 
     /// The light at the centre of pixel (x, y).
     Rgb pixel(int x, int y, int width, int height) const {
@@ -71,8 +72,7 @@ public:
     }
 
     /// `level` is that of the segment before.
-    Rgb radiance(const V& o, const V& d, int level, double weight,
-                 bool straight_on = false) const {
+    Rgb radiance(const V& o, const V& d, int level, double weight, bool straight_on = false) const {
         if (level >= limits_.depth) return Rgb{0.0};
         if (!straight_on) ++level;
         if (weight < limits_.cutoff) return Rgb{0.0};
@@ -113,17 +113,17 @@ private:
         const auto through = refracted(surface, d);
         const V back = mirrored(d, surface.normal);
         if (!through) return radiance(p, back, level, weight);
-        const double reflected = double(
-            reflectance(ior(surface.before), ior(surface.after), -dot(d, surface.normal)));
-        Rgb light = (1.0 - reflected) *
-                    radiance(p, *through, level, (1.0 - reflected) * weight, bends_nothing(surface));
+        const double reflected =
+            double(reflectance(ior(surface.before), ior(surface.after), -dot(d, surface.normal)));
+        Rgb light = (1.0 - reflected) * radiance(p, *through, level, (1.0 - reflected) * weight,
+                                                 bends_nothing(surface));
         if (reflected > 0.0) light += reflected * radiance(p, back, level, reflected * weight);
         return light;
     }
 
     /// POV-Ray's rules for a finish.
-    Rgb textured(const Surface<Real>& surface, const scene::Texture& texture, const V& p, const V& d,
-                 int level, double weight) const {
+    Rgb textured(const Surface<Real>& surface, const scene::Texture& texture, const V& p,
+                 const V& d, int level, double weight) const {
         const scene::Finish& finish = texture.finish;
         const geom::Vec3 in_texture =
             texture.transform.inverse_linear() * (narrow(p) - texture.transform.shift());
@@ -147,7 +147,8 @@ private:
         }
         if (finish.reflection.is_active()) {
             const scene::Reflection& r = finish.reflection;
-            const double share = r.fresnel ? largest(rho) : std::max(largest(r.min), largest(r.max));
+            const double share =
+                r.fresnel ? largest(rho) : std::max(largest(r.min), largest(r.max));
             Rgb seen = radiance(p, back, level, share * weight);
             if (finish.reflection.exponent != 1.0)
                 seen = glm::pow(seen, Rgb{1.0 / finish.reflection.exponent});
@@ -195,8 +196,8 @@ private:
 
         Rgb arriving = lamp.color;
         if (lamp.fade_distance > 0.0 && lamp.fade_power > 0.0) {
-            arriving *= 2.0 / (1.0 + std::pow(double(distance) / lamp.fade_distance,
-                                              lamp.fade_power));
+            arriving *=
+                2.0 / (1.0 + std::pow(double(distance) / lamp.fade_distance, lamp.fade_power));
         }
         if (!lamp.shadowless) arriving *= visibility(p, l, distance);
 

@@ -16,24 +16,25 @@ inline constexpr int nothing = -1;
 template <class Real>
 struct Surface {
     Real t{0};
-    int before = nothing, after = nothing;  // solids whose media meet here; `nothing` is the outside
-    int skin = nothing;                     // the object whose texture is seen
+    int before = nothing,
+        after = nothing;  // solids whose media meet here; `nothing` is the outside
+    int skin = nothing;   // the object whose texture is seen
     bool opaque = false;
-    Vector<Real> normal;                    // unit length, faces the ray
+    Vector<Real> normal;  // unit length, faces the ray
 };
 
-/// A scene as the oracle sees it. It keeps no list of what a ray is in: all meetings of the ray's line
-/// with all surfaces are sorted, and in the middle of each interval between them every solid is asked
-/// whether it contains that point.
+/// A scene as the oracle sees it. It keeps no list of what a ray is in: all meetings of the ray's
+/// line with all surfaces are sorted, and in the middle of each interval between them every solid
+/// is asked whether it contains that point.
 template <class Real>
 class World {
 public:
     using V = Vector<Real>;
 
-    /// Surfaces nearer than `contact`, along their normals, are in contact. It must be far larger than the
-    /// rounding of the scene's numbers, and far smaller than its features.
-    explicit World(const scene::Scene& scene, double contact = 1e-12)
-        : scene_(scene), contact_(contact), nearby_(1e8 * contact) {
+    /// Surfaces nearer than `contact`, along their normals, are in contact. It must be far larger
+    /// than the rounding of the scene's numbers, and far smaller than its features.
+    explicit World(const scene::Scene& scene, double contact = 3e-14)
+        : scene_(scene), contact_(contact), nearby_(3e9 * contact) {
         for (const scene::Object& object : scene.objects) bodies_.emplace_back(object);
         const std::size_t solids = scene.solids.size();
         parts_.resize(solids);
@@ -67,8 +68,8 @@ public:
         return nothing;
     }
 
-    /// The first surface on o + t d with t in (0, limit). The origin may lie on surfaces: those are not
-    /// met again. `start` is the solid that the ray begins in.
+    /// The first surface on o + t d with t in (0, limit). The origin may lie on surfaces: those are
+    /// not met again. `start` is the solid that the ray begins in.
     std::optional<Surface<Real>> next(const V& o, const V& d, int& start,
                                       Real limit = Real(1e300)) const {
         std::vector<Meeting> meetings;
@@ -140,8 +141,8 @@ private:
         return gap * (c > e ? c : e) <= contact_;
     }
 
-    /// The meeting of the group at which the object (or an object of the solid) really begins or ends:
-    /// the one with the object on just one side of it.
+    /// The meeting of the group at which the object (or an object of the solid) really begins or
+    /// ends: the one with the object on just one side of it.
     const Meeting& boundary(const V& o, const V& d, const std::vector<Meeting>& meetings,
                             std::size_t begin, std::size_t end, int solid, int object) const {
         const Meeting* any = nullptr;
@@ -151,7 +152,8 @@ private:
                                   : int(scene_.objects[m.object].solid) != solid)
                 continue;
             any = &m;
-            const V p = o + m.t * d, step = Real(1e5) * contact_ * bodies_[m.object].normal(m.face, p);
+            const V p = o + m.t * d,
+                    step = Real(1e6) * contact_ * bodies_[m.object].normal(m.face, p);
             if (bodies_[m.object].contains(p - step) && !bodies_[m.object].contains(p + step))
                 return m;
         }
@@ -185,10 +187,10 @@ private:
         if (before == after) return std::nullopt;
 
         // It belongs to the solid of higher priority: that one begins or ends here.
-        const int owner = before == nothing                      ? after
-                          : after == nothing                     ? before
+        const int owner = before == nothing                     ? after
+                          : after == nothing                    ? before
                           : priority(after) >= priority(before) ? after
-                                                                 : before;
+                                                                : before;
         const Meeting& m = boundary(o, d, meetings, begin, end, owner, nothing);
         met_at(m);
         surface.skin = m.object;
