@@ -48,7 +48,8 @@ LightAt light_at(const scene::Light& light, const geom::Vec3& point) {
     const Vec3 axis = has_axis ? glm::normalize(light.point_at - light.position) : Vec3{0.0};
 
     LightAt seen;
-    if (light.parallel) {
+    // A cylinder light's rays are parallel too, as POV-Ray's were measured to be.
+    if (light.parallel || light.kind == scene::Light::Kind::cylinder) {
         seen.direction = -axis;
         seen.distance = glm::dot(to_light, seen.direction);
     } else {
