@@ -310,6 +310,7 @@ void Cursor::fail_expected(std::string_view what) {
 void Cursor::fail_unknown() {
     auto at = span();
     const auto* item = peek();
+    const auto in = block_ == "scene" ? std::string{} : fmt::format(" in '{}'", block_);
     std::string_view name = word();
     if (const auto* b = block()) {
         name = b->word;
@@ -318,25 +319,22 @@ void Cursor::fail_unknown() {
     if (const auto* node = expression()) {
         if (const auto* variable = std::get_if<ast::Variable>(&node->node)) {
             if (const auto* value = find_variable(session_, *variable, node->span)) {
-                throw SourceError(at, fmt::format("'{}' is {}, which cannot stand here in '{}'",
-                                                  variable->name, kind_of(*value), block_));
+                throw SourceError(at, fmt::format("'{}' is {}, which cannot stand here{}",
+                                                  variable->name, kind_of(*value), in));
             }
             name = variable->name;
         }
         if (name.empty()) {
-            throw SourceError(at,
-                              fmt::format("unexpected value {} in '{}'", describe_next(), block_));
+            throw SourceError(at, fmt::format("unexpected value {}{}", describe_next(), in));
         }
     }
     if (name.empty())
-        throw SourceError(
-            at, fmt::format("unexpected {} in '{}'", item ? describe_next() : "end", block_));
+        throw SourceError(at, fmt::format("unexpected {}{}", item ? describe_next() : "end", in));
     if (grammar::is_reserved(name))
-        throw SourceError(at, fmt::format("'{}' cannot stand here in '{}'", name, block_));
+        throw SourceError(at, fmt::format("'{}' cannot stand here{}", name, in));
     auto names = session_.symbols.names();
     for (const auto known : grammar::reserved_words()) names.emplace_back(known);
-    throw SourceError(
-        at, fmt::format("unknown word '{}' in '{}'{}", name, block_, suggestion(name, names)));
+    throw SourceError(at, fmt::format("unknown word '{}'{}{}", name, in, suggestion(name, names)));
 }
 
 }  // namespace meniscus::lang

@@ -246,9 +246,11 @@ bool evaluate_condition(Session& session, const ast::Expression& expression) {
 bool is_true(double value) { return std::abs(value) >= 1e-10; }
 
 SourceError refuse(const Refusal& refusal) {
-    auto text = fmt::format("this is POV-Ray, but not supported here: `{}`", refusal.what);
-    if (!refusal.advice.empty()) text += "\n" + refusal.advice;
-    return {refusal.where, text};
+    SourceError error(refusal.where,
+                      fmt::format("this is POV-Ray, but not supported here: `{}`", refusal.what));
+    if (!refusal.advice.empty())
+        error.add_note({Diagnostic::Severity::note, {}, refusal.advice, {}, 0});
+    return error;
 }
 
 double to_number(const Value& value, const Span& span) {

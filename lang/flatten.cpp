@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lang/evaluate.hpp"
+#include "lang/read_transform.hpp"
 
 namespace meniscus::lang {
 namespace {
@@ -55,7 +56,7 @@ std::size_t make_texture(Session& session, const Skin& skin) {
     scene::Texture texture;
     texture.pigment = item.pigment.pigment;
     texture.finish = item.finish.finish;
-    texture.transform = item.transform.then(skin.outer);
+    texture.transform = chain_transforms(item.transform, skin.outer, item.span);
     textures.push_back(std::move(texture));
     return textures.size() - 1;
 }
@@ -95,10 +96,7 @@ public:
 
     void add(const ObjectItem& object, Inherited from) {
         if (object.refusal) throw refuse(*object.refusal);
-        if (const auto* refusal = std::get_if<Refusal>(&object.body)) {
-            auto said = refuse(*refusal);
-            throw said;
-        }
+        if (const auto* refusal = std::get_if<Refusal>(&object.body)) throw refuse(*refusal);
         if (const auto* light = std::get_if<LightItem>(&object.body))
             return add_light(object, *light, from);
 
@@ -185,7 +183,17 @@ void add_to_scene(Session& session, const ObjectItem& object) {
     standard.texture = &default_texture;
     Inherited from;
     from.skin = &standard;
-    Flattener(session).add(object, from);
+    try {
+        Flattener(session).add(object, from);
+    } catch (SourceError& error) {
+        const auto at = object.span.location();
+        const auto& blamed = error.primary().location;
+        if (blamed.line != at.line || blamed.file != at.file) {
+            const auto text = fmt::format("used at {}:{}:{}", at.file, at.line, at.column);
+            error.add_note({Diagnostic::Severity::note, {}, text, {}, 0});
+        }
+        throw;
+    }
 }
 
 }  // namespace meniscus::lang

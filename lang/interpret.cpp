@@ -1,6 +1,7 @@
 #include "lang/interpret.hpp"
 
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 #include "grammar/words.hpp"
@@ -43,6 +44,8 @@ Interpreted interpret(const Options& options, Load load) {
         const ParsedFile& file = load(session);
         Cursor cursor(session, file.program.items, file.program.end, "scene");
         read_scene(cursor);
+    } catch (const std::invalid_argument& error) {  // geometry whose numbers run out
+        throw SourceError(Diagnostic{Diagnostic::Severity::error, {}, error.what(), {}, 0});
     } catch (SourceError& error) {
         for (auto& note : session.notes()) error.add_note(std::move(note));
         throw;

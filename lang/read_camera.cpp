@@ -102,10 +102,10 @@ scene::Camera resolve(const CameraItem& camera, const Span& span) {
         depth = width / (2.0 * std::tan(angle * std::numbers::pi / 360.0));
         result.direction = glm::normalize(camera.direction) * depth;
     }
-    double distance = depth;
+    // without look_at, POV-Ray sizes an orthographic picture as if it were <0, 0, 1>
+    double distance = glm::length(camera.look_at.value_or(Vec3{0.0, 0.0, 1.0}) - camera.location);
     if (camera.look_at) {
         const auto towards = *camera.look_at - camera.location;
-        distance = glm::length(towards);
         if (distance == 0.0) fail(span, "the camera's 'look_at' is its 'location'");
         if (camera.sky == Vec3{0.0}) fail(span, "the camera's 'sky' is zero");
         const double hand = sign(glm::dot(glm::cross(camera.up, camera.direction), camera.right));

@@ -26,7 +26,9 @@ struct Albedo {
 void read_reflection_block(Cursor& cursor, scene::Reflection& reflection) {
     reflection = {};
     reflection.max = rgb(cursor.color());
+    bool has_min = false;
     if (cursor.expression() || cursor.word().starts_with("rgb") || cursor.word() == "color") {
+        has_min = true;
         reflection.min = reflection.max;
         reflection.max = rgb(cursor.color());
     }
@@ -43,6 +45,7 @@ void read_reflection_block(Cursor& cursor, scene::Reflection& reflection) {
             cursor.fail_unknown();
         }
     }
+    if (!has_min && !reflection.fresnel) reflection.min = reflection.max;
 }
 
 bool read_block(Cursor& cursor, FinishItem& item) {

@@ -87,7 +87,8 @@ bool read_block(Cursor& cursor, LightItem& item, const geom::Transform& so_far) 
         // it is written around the origin; what was said of the light so far is undone first, as it
         // comes again with the light
         auto place =
-            geom::Transform::translation(so_far.point(item.light.position)).then(so_far.inverse());
+            chain_transforms(geom::Transform::translation(so_far.point(item.light.position)),
+                             so_far.inverse(), cursor.span());
         ObjectItem placed;
         placed.span = object.span;
         placed.keyword = "union";

@@ -40,9 +40,11 @@ bool is_unsupported(std::string_view word) {
     return is_csg(word) || std::ranges::find(unsupported_shapes, word) != unsupported_shapes.end();
 }
 
-void transform_object(ObjectItem& object, const geom::Transform& transform) {
-    object.transform = object.transform.then(transform);
-    if (object.texture) object.texture->transform = object.texture->transform.then(transform);
+void transform_object(ObjectItem& object, const geom::Transform& transform, const Span& span) {
+    object.transform = chain_transforms(object.transform, transform, span);
+    if (object.texture) {
+        object.texture->transform = chain_transforms(object.texture->transform, transform, span);
+    }
 }
 
 TextureItem& own_texture(Session& session, ObjectItem& object) {
@@ -122,9 +124,10 @@ bool read_modifier_block(Cursor& cursor, ObjectItem& object) {
 }
 
 bool read_modifier(Cursor& cursor, ObjectItem& object) {
+    const auto at = cursor.span();
     geom::Transform transform;
     if (read_transform(cursor, transform)) {
-        transform_object(object, transform);
+        transform_object(object, transform, at);
         return true;
     }
     if (read_flag(cursor, object) || read_modifier_block(cursor, object)) return true;

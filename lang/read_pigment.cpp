@@ -127,7 +127,10 @@ bool read_modifier(Cursor& cursor, PigmentItem& item) {
 
 scene::ColorMap black_to_white() { return {{{0.0, {{0, 0, 0}}}, {1.0, {{1, 1, 1}}}}}; }
 
-void use_map(PigmentItem& item, const MapItem& map) {
+void use_map(PigmentItem& item, const MapItem& map, const Span& span) {
+    if (!gradient_of(item) && !item.refusal) {
+        throw SourceError(span, "a map needs a pattern in front of it, as in gradient x");
+    }
     if (map.refusal && !item.refusal) item.refusal = map.refusal;
     item.depth = std::max(item.depth, map.depth + 1);
     if (auto* gradient = gradient_of(item)) gradient->map = map.map;
@@ -141,7 +144,7 @@ bool read_declared(Cursor& cursor, PigmentItem& item) {
     } else if (const auto* refusal = value->get<Refusal>()) {
         if (!item.refusal) item.refusal = *refusal;
     } else if (const auto* map = value->item<MapItem>()) {
-        use_map(item, *map);
+        use_map(item, *map, cursor.span());
     } else {
         return false;
     }
@@ -194,7 +197,7 @@ PigmentItem read_pigment(Cursor& cursor, PigmentItem item) {
         }
         if (const auto* block = cursor.block(); block && is_map_word(block->word)) {
             Cursor inner(cursor.session(), *block, cursor.span());
-            use_map(item, read_map(inner));
+            use_map(item, read_map(inner), block->word_span);
             cursor.advance();
             continue;
         }

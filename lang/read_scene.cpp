@@ -120,7 +120,7 @@ SkyItem read_sky_sphere(Cursor& cursor) {
             item.sky.emission = cursor.color().at[0];
         } else if (geom::Transform next; read_transform(cursor, next)) {
             for (auto& pigment : item.sky.pigments)
-                pigment.transform = pigment.transform.then(next);
+                pigment.transform = chain_transforms(pigment.transform, next, cursor.span());
         } else {
             cursor.fail_unknown();
         }

@@ -97,10 +97,12 @@ MaterialItem read_material(Cursor& cursor) {
     MaterialItem material;
     while (!cursor.at_end()) {
         if (take_declared(cursor, material)) continue;
+        const auto at = cursor.span();
         geom::Transform transform;
         if (read_transform(cursor, transform)) {
             if (material.texture)
-                material.texture->transform = material.texture->transform.then(transform);
+                material.texture->transform =
+                    chain_transforms(material.texture->transform, transform, at);
             continue;
         }
         if (const auto* block = cursor.block()) {

@@ -45,16 +45,16 @@ geom::Transform scaling(const geom::Vec3& factors, const Span& span) {
     }
 }
 
-geom::Transform chained(const geom::Transform& first, const geom::Transform& next,
-                        const Span& span) {
+}  // namespace
+
+geom::Transform chain_transforms(const geom::Transform& first, const geom::Transform& next,
+                                 const Span& span) {
     try {
         return first.then(next);
     } catch (const std::invalid_argument&) {
         throw SourceError(span, "together, these transformations are too small or too large");
     }
 }
-
-}  // namespace
 
 bool read_transform(Cursor& cursor, geom::Transform& transform) {
     const auto span = cursor.span();
@@ -80,7 +80,7 @@ bool read_transform(Cursor& cursor, geom::Transform& transform) {
     } else {
         return false;
     }
-    transform = chained(transform, next, span);
+    transform = chain_transforms(transform, next, span);
     return true;
 }
 
@@ -95,7 +95,7 @@ TransformItem read_transform_block(Cursor& cursor) {
         const auto* value = cursor.declared();
         const auto* other = value ? value->item<TransformItem>() : nullptr;
         if (!other) cursor.fail_unknown();
-        item.transform = chained(item.transform, other->transform, cursor.span());
+        item.transform = chain_transforms(item.transform, other->transform, cursor.span());
         cursor.advance();
     }
     return item;

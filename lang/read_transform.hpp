@@ -9,6 +9,10 @@ namespace meniscus::lang {
 /// `transform`, and says so.
 bool read_transform(Cursor& cursor, geom::Transform& transform);
 
+/// `first`, then `next`; throws SourceError where the numbers run out.
+geom::Transform chain_transforms(const geom::Transform& first, const geom::Transform& next,
+                                 const Span& span);
+
 /// The inside of `transform { ... }`.
 TransformItem read_transform_block(Cursor& cursor);
 

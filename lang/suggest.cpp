@@ -33,8 +33,8 @@ template <class Words>
 std::string nearest(std::string_view word, const Words& known) {
     if (word.size() > longest_word) return {};
     std::string best;
-    int least = static_cast<int>(std::max<std::size_t>(word.size(), 3)) * 2 / 3 +
-                1;  // a third of the letters
+    // up to a third of the letters; of a very short word only the case may differ
+    int least = word.size() < 3 ? 2 : static_cast<int>(word.size()) * 2 / 3 + 1;
     for (const auto& candidate : known) {
         const std::string_view other = candidate;
         if (other.size() > word.size() + 4 || word.size() > other.size() + 4 || other == word)

@@ -91,6 +91,13 @@ constexpr bool is_transparent(Kind kind) {
            kind == Kind::choice || kind == Kind::callee;
 }
 
+constexpr bool needs_end(Kind kind) {
+    return kind == Kind::vector || kind == Kind::call || kind == Kind::block ||
+           kind == Kind::map_entry || kind == Kind::array_init || kind == Kind::default_ ||
+           kind == Kind::if_ || kind == Kind::ifdef || kind == Kind::while_ || kind == Kind::for_ ||
+           kind == Kind::switch_ || kind == Kind::macro || kind == Kind::string;
+}
+
 /// What can contain itself, and so could nest without end.
 template <class Rule>
 inline constexpr bool can_nest =
@@ -116,6 +123,13 @@ public:
         while (end > node.begin && static_cast<unsigned char>(text_[end - 1]) <= ' ') --end;
         node.end = end;
         node.size = static_cast<std::uint32_t>(size);
+    }
+    /// Where the innermost thing begins that needs a closing mark and has none yet.
+    const SyntaxNode* unclosed() const {
+        for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
+            if (node->size == 0 && needs_end(node->kind)) return &*node;
+        }
+        return nullptr;
     }
     std::vector<SyntaxNode> take() { return std::move(nodes_); }
     int depth = 0;
@@ -190,7 +204,8 @@ std::string found_at(const Span& text, std::size_t offset) {
     return fmt::format("'{}'", all.substr(offset, end - offset));
 }
 
-[[noreturn]] void throw_syntax_error(const Span& text, std::size_t offset, std::string message) {
+[[noreturn]] void throw_syntax_error(const Span& text, std::size_t offset, std::string message,
+                                     const SyntaxNode* unclosed) {
     const auto found = found_at(text, offset);
     Span span{text.source, static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(offset)};
     if (found.front() == '\'') span.end += static_cast<std::uint32_t>(found.size() - 2);
@@ -208,7 +223,16 @@ std::string found_at(const Span& text, std::size_t offset) {
             message += ", which is a word of the language";
         }
     }
-    throw SourceError(span, message);
+    SourceError error(span, message);
+    if (unclosed && message.starts_with("expected '")) {
+        const auto at = text.source->location(unclosed->begin);
+        error.add_note({Diagnostic::Severity::note,
+                        {},
+                        fmt::format("it opened at {}:{}:{}", at.file, at.line, at.column),
+                        {},
+                        0});
+    }
+    throw error;
 }
 
 }  // namespace
@@ -222,7 +246,7 @@ std::vector<SyntaxNode> parse_syntax(const Span& text) {
         peg::parse<g::file, peg::nothing, control>(in, builder);
     } catch (const peg::parse_error& error) {
         throw_syntax_error(text, text.begin + error.positions().front().byte,
-                           std::string(error.message()));
+                           std::string(error.message()), builder.unclosed());
     }
     return builder.take();
 }
