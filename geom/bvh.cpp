@@ -1,6 +1,7 @@
 #include "geom/bvh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace meniscus::geom {
@@ -21,14 +22,29 @@ struct Split {
     int bin = 0;  // the last one of the lower half
 };
 
+/// Rounds so that the box only grows.
+float rounded_down(double x) {
+    const auto value = static_cast<float>(x);
+    return value <= x ? value : std::nextafter(value, -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double x) { return -rounded_down(-x); }
+
 }  // namespace
 
-/// Splits by the surface area heuristic over 16 bins of the boxes' centres (Wald 2007).
+/// Builds a binary tree by the surface area heuristic over 16 bins of the boxes' centres (Wald
+/// 2007), then makes nodes of four children of it.
 struct Bvh::Builder {
+    struct BinaryNode {
+        Bounds bounds;
+        std::uint32_t first;  // of its items; of an inner node: the first of its two children
+        std::uint32_t count;  // 0: an inner node
+    };
+
     Bvh& bvh;
     std::span<const Bounds> boxes;
-    std::vector<Vec3> centers{};
     std::uint32_t leaf_size;
+    std::vector<Vec3> centers{};
+    std::vector<BinaryNode> tree{};
 
     void build(std::uint32_t index, std::uint32_t begin, std::uint32_t end, int depth) {
         Bounds bounds, middles;
@@ -37,17 +53,58 @@ struct Bvh::Builder {
             middles.extend(centers[bvh.order_[i]]);
         }
         const std::uint32_t count = end - begin;
-        bvh.nodes_[index] = {bounds, begin, count};
+        tree[index] = {bounds, begin, count};
         if (count == 1) return;
 
         const std::uint32_t middle = split(bounds, middles, begin, end, depth);
         if (middle == end) return;
-        const auto children = static_cast<std::uint32_t>(bvh.nodes_.size());
-        bvh.nodes_.resize(children + 2);
-        bvh.nodes_[index].first = children;
-        bvh.nodes_[index].count = 0;
+        const auto children = static_cast<std::uint32_t>(tree.size());
+        tree.resize(children + 2);
+        tree[index].first = children;
+        tree[index].count = 0;
         build(children, begin, middle, depth + 1);
         build(children + 1, middle, end, depth + 1);
+    }
+
+    /// Makes a node of the binary node's descendants, always opening the one with the largest
+    /// surface, and returns its number.
+    std::uint32_t widen(std::uint32_t binary) {
+        std::array<std::uint32_t, 4> children{binary};
+        int count = 1;
+        while (count < 4) {
+            int widest = -1;
+            for (int i = 0; i < count; ++i) {
+                if (tree[children[i]].count > 0) continue;
+                if (widest < 0 ||
+                    tree[children[i]].bounds.area() > tree[children[widest]].bounds.area())
+                    widest = i;
+            }
+            if (widest < 0) break;
+            const std::uint32_t first = tree[children[widest]].first;
+            children[widest] = first;
+            children[count++] = first + 1;
+        }
+
+        const auto number = static_cast<std::uint32_t>(bvh.nodes_.size());
+        const float infinite = std::numeric_limits<float>::infinity();
+        Node node{};
+        for (int axis = 0; axis < 3; ++axis) {
+            node.low[axis].fill(infinite);
+            node.high[axis].fill(-infinite);
+            for (int i = 0; i < count; ++i) {
+                const Bounds& box = tree[children[i]].bounds;
+                node.low[axis][i] = rounded_down(box.low[axis] - bvh.center_[axis]);
+                node.high[axis][i] = rounded_up(box.high[axis] - bvh.center_[axis]);
+            }
+        }
+        bvh.nodes_.push_back(node);
+        for (int i = 0; i < count; ++i) {
+            const BinaryNode& child = tree[children[i]];
+            const std::uint32_t first = child.count > 0 ? child.first : widen(children[i]);
+            bvh.nodes_[number].first[i] = first;
+            bvh.nodes_[number].count[i] = static_cast<std::uint16_t>(child.count);
+        }
+        return number;
     }
 
     /// Rearranges the items and returns where the second child begins, or `end` for a leaf.
@@ -115,29 +172,43 @@ struct Bvh::Builder {
 Bvh::Bvh(std::span<const Bounds> boxes, int leaf_size) : order_(boxes.size()) {
     if (boxes.empty()) return;
     std::iota(order_.begin(), order_.end(), 0u);
-    nodes_.reserve(boxes.size());
-    nodes_.resize(1);
     Builder builder{.bvh = *this, .boxes = boxes, .leaf_size = std::uint32_t(leaf_size)};
     builder.centers.reserve(boxes.size());
     for (const Bounds& box : boxes) builder.centers.push_back(box.center());
+    builder.tree.reserve(boxes.size());
+    builder.tree.resize(1);
     builder.build(0, 0, static_cast<std::uint32_t>(boxes.size()), 0);
+    bounds_ = builder.tree[0].bounds;
+    center_ = bounds_.center();
+    builder.widen(0);
     nodes_.shrink_to_fit();
 }
 
 void Bvh::renumber() { std::iota(order_.begin(), order_.end(), 0u); }
 
-BoxRay::BoxRay(const Ray& ray, const Bounds& world) {
-    // Errors of crossings are a few unit roundoffs of the largest coordinate in play.
-    const double magnitude =
-        max_abs(ray.origin) + glm::max(max_abs(world.low), max_abs(world.high));
-    const Vec3 margin{128.0 * unit_roundoff * magnitude};
-    near_side = ray.origin - margin;
-    far_side = ray.origin + margin;
-    // A direction of 0 would give 0 * infinity; this is as good as 0 and gives large numbers of the
-    // right sign.
+Bvh::Line::Line(const Bvh& bvh, const Ray& ray) {
+    const double dd = glm::dot(ray.direction, ray.direction);
+    const Vec3 from_center = ray.from(bvh.center_);
+    shift_ = -glm::dot(from_center, ray.direction) / dd;
+    const Vec3 origin = from_center + shift_ * ray.direction;
+
+    // Errors of crossings are a few double roundoffs of the largest coordinate in play; those in
+    // here, of the offset from the centre.
+    const Vec3 reach = 0.5 * bvh.bounds_.size();
+    const double far =
+        max_abs(ray.origin) + glm::max(max_abs(bvh.bounds_.low), max_abs(bvh.bounds_.high));
+    const double margin =
+        128.0 * unit_roundoff * far + 0x1p-20 * (max_abs(reach) + max_abs(origin));
+    slack_ = static_cast<float>(margin / glm::sqrt(dd));
     for (int axis = 0; axis < 3; ++axis) {
-        const double d = ray.direction[axis];
-        inverse[axis] = glm::abs(d) < 1e-200 ? 1e200 : 1.0 / d;
+        const double d = ray.direction[axis], size = glm::sqrt(dd);
+        backwards_[axis] = d < 0.0;
+        // A direction of 0 would give 0 * infinity; a tiny one is as good and gives large numbers
+        // of the right sign.
+        inverse_[axis] = static_cast<float>(glm::abs(d) < 1e-18 * size ? 1e18 / size : 1.0 / d);
+        const double sign = d < 0.0 ? -1.0 : 1.0;
+        near_side_[axis] = static_cast<float>(origin[axis] + sign * margin);
+        far_side_[axis] = static_cast<float>(origin[axis] - sign * margin);
     }
 }
 

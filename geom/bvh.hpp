@@ -1,26 +1,29 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geom/bounds.hpp"
+#include "geom/lanes.hpp"
 #include "geom/ray.hpp"
 
 namespace meniscus::geom {
 
 /// A bounding volume hierarchy over boxes, which must be finite. It hands out the indices of the
 /// boxes that a line or a region may meet. Boxes are widened by more than any rounding error along
-/// the ray, so that what lies inside one is never missed.
+/// the ray, so that what lies inside one is never missed; now and then one is visited that is only
+/// nearly met.
 class Bvh {
 public:
     Bvh() = default;
     explicit Bvh(std::span<const Bounds> boxes, int leaf_size = 4);
 
     bool empty() const { return nodes_.empty(); }
-    Bounds bounds() const { return empty() ? Bounds{} : nodes_[0].bounds; }
+    const Bounds& bounds() const { return bounds_; }
     std::size_t memory_bytes() const {
         return nodes_.size() * sizeof(Node) + order_.size() * sizeof(order_[0]);
     }
@@ -49,94 +52,129 @@ public:
     void overlapping(const Bounds& region, Visit&& visit) const;
 
 private:
-    struct Node {
-        Bounds bounds;
-        std::uint32_t
-            first;  // of its items in `order_`; of an inner node: the first of its two children
-        std::uint32_t count;  // 0: an inner node
+    /// The boxes of up to four children, seen from `center_`, rounded outwards. Those of children
+    /// that are not there are empty.
+    struct alignas(16) Node {
+        std::array<std::array<float, 4>, 3> low, high;  // [axis][child]
+        std::array<std::uint32_t, 4> first;             // item of a leaf in `order_`, or a node
+        std::array<std::uint16_t, 4> count;             // of a leaf's items; 0 for a node
     };
+    struct Entry {
+        std::uint32_t first, count;
+        float near;
+    };
+    class Line;
+    struct Builder;
+
     /// Deeper trees are not built.
     static constexpr int max_depth = 64;
-
-    struct Builder;
+    using Stack = std::array<Entry, 3 * max_depth + 4>;
 
     template <class Visit>
     void walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const;
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
+    Bounds bounds_;
+    Vec3 center_{0.0};
 };
 
-/// A ray made ready for boxes: its line is thick enough to cover every rounding error of the boxes'
-/// contents.
-struct BoxRay {
-    Vec3 near_side, far_side, inverse;
+/// A ray made ready for boxes. Its parameter starts at the point of its line nearest to the boxes'
+/// centre, so that single precision does, from any distance; and its line is thick enough to cover
+/// every rounding error, here and of what is in the boxes.
+class Bvh::Line {
+public:
+    Line(const Bvh& bvh, const Ray& ray);
 
-    BoxRay(const Ray& ray, const Bounds& world);
-
-    /// The part of the line inside the box, as [near, far]; empty when near > far.
-    Span inside(const Bounds& box) const {
-        const Vec3 a = (box.low - far_side) * inverse, b = (box.high - near_side) * inverse;
-        const Vec3 near = glm::min(a, b), far = glm::max(a, b);
-        return {glm::max(near.x, glm::max(near.y, near.z)),
-                glm::min(far.x, glm::min(far.y, far.z))};
+    /// A little more than t, as a parameter of this line.
+    float upper(double t) const {
+        const auto value = static_cast<float>(t - shift_);
+        return value + (value < 0.0f ? -value : value) * 0x1p-21f + slack_;
     }
+    float lower(double t) const {
+        const auto value = static_cast<float>(t - shift_);
+        return value - (value < 0.0f ? -value : value) * 0x1p-21f - slack_;
+    }
+
+    /// Which children the line meets between `from` and `to`: bit i for child i, and where it
+    /// enters them.
+    unsigned meets(const Node& node, float from, float to, float* near) const {
+        Lanes enter = Lanes::all(from), leave = Lanes::all(to);
+        for (int axis = 0; axis < 3; ++axis) {
+            // For a line that runs down an axis, the high side comes first.
+            const auto& first = backwards_[axis] ? node.high[axis] : node.low[axis];
+            const auto& last = backwards_[axis] ? node.low[axis] : node.high[axis];
+            const Lanes inverse = Lanes::all(inverse_[axis]);
+            enter =
+                max((Lanes::load(first.data()) - Lanes::all(near_side_[axis])) * inverse, enter);
+            leave = min((Lanes::load(last.data()) - Lanes::all(far_side_[axis])) * inverse, leave);
+        }
+        enter.store(near);
+        return at_most(enter, leave);
+    }
+
+private:
+    double shift_;
+    float slack_;
+    std::array<float, 3> near_side_, far_side_, inverse_;
+    std::array<bool, 3> backwards_;
 };
 
 template <class Visit>
 void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const {
     if (empty()) return;
-    const BoxRay line(ray, nodes_[0].bounds);
-    std::array<std::pair<std::uint32_t, double>, max_depth>
-        stack;  // node, where the line enters it
+    const Line line(*this, ray);
+    const float from = line.lower(t_min);
+    double known_max = t_max;
+    float to = line.upper(t_max);
+    Stack stack;
     int size = 0;
-
-    const Span all = line.inside(nodes_[0].bounds);
-    if (!(all.near <= all.far && all.far >= t_min && all.near <= t_max)) return;
-    std::uint32_t index = 0;
-    while (true) {
-        const Node& node = nodes_[index];
-        if (node.count > 0) {
-            for (std::uint32_t i = 0; i < node.count; ++i) visit(order_[node.first + i]);
-        } else {
-            const Span a = line.inside(nodes_[node.first].bounds);
-            const Span b = line.inside(nodes_[node.first + 1].bounds);
-            const bool meets_a = a.near <= a.far && a.far >= t_min && a.near <= t_max;
-            const bool meets_b = b.near <= b.far && b.far >= t_min && b.near <= t_max;
-            if (meets_a && meets_b) {
-                const bool a_first = a.near <= b.near;
-                stack[size++] =
-                    a_first ? std::pair{node.first + 1, b.near} : std::pair{node.first, a.near};
-                index = a_first ? node.first : node.first + 1;
-                continue;
-            }
-            if (meets_a || meets_b) {
-                index = meets_a ? node.first : node.first + 1;
-                continue;
-            }
+    stack[size++] = {0, 0, from};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        if (t_max != known_max) {
+            known_max = t_max;
+            to = line.upper(t_max);
         }
-        do {
-            if (size == 0) return;
-            --size;
-        } while (stack[size].second > t_max);
-        index = stack[size].first;
+        if (entry.near > to) continue;
+        for (std::uint32_t i = 0; i < entry.count; ++i) visit(order_[entry.first + i]);
+        if (entry.count > 0) continue;
+
+        const Node& node = nodes_[entry.first];
+        alignas(16) std::array<float, 4> near;
+        unsigned met = line.meets(node, from, to, near.data());
+        // The nearest child goes on top of the stack.
+        for (const int bottom = size; met != 0; met &= met - 1) {
+            const int child = std::countr_zero(met);
+            int place = size++;
+            for (; place > bottom && stack[place - 1].near < near[child]; --place) {
+                stack[place] = stack[place - 1];
+            }
+            stack[place] = {node.first[child], node.count[child], near[child]};
+        }
     }
 }
 
 template <class Visit>
 void Bvh::overlapping(const Bounds& region, Visit&& visit) const {
-    if (empty()) return;
-    std::array<std::uint32_t, max_depth + 1> stack;
+    if (empty() || !overlap(region, bounds_)) return;
+    const Bounds seen{region.low - center_, region.high - center_};
+    Stack stack;
     int size = 0;
-    stack[size++] = 0;
+    stack[size++] = {0, 0, 0.0f};
     while (size > 0) {
-        const Node& node = nodes_[stack[--size]];
-        if (!overlap(node.bounds, region)) continue;
-        if (node.count == 0) {
-            stack[size++] = node.first;
-            stack[size++] = node.first + 1;
+        const Entry entry = stack[--size];
+        for (std::uint32_t i = 0; i < entry.count; ++i) visit(order_[entry.first + i]);
+        if (entry.count > 0) continue;
+        const Node& node = nodes_[entry.first];
+        for (int child = 0; child < 4; ++child) {
+            bool apart = false;
+            for (int axis = 0; axis < 3; ++axis) {
+                apart |= !(node.low[axis][child] <= seen.high[axis] &&
+                           node.high[axis][child] >= seen.low[axis]);
+            }
+            if (!apart) stack[size++] = {node.first[child], node.count[child], 0.0f};
         }
-        for (std::uint32_t i = 0; i < node.count; ++i) visit(order_[node.first + i]);
     }
 }
 

@@ -141,6 +141,23 @@ void TriangleMesh::build_hierarchy() {
     reorder(triangles_);
     reorder(corner_normals_);
     bvh_.renumber();
+
+    // Vertices in the order of their first use: what a ray needs together lies together.
+    constexpr std::uint32_t unused = 0xffffffff;
+    std::vector<std::uint32_t> new_index(positions_.size(), unused);
+    std::vector<Vec3> sorted;
+    sorted.reserve(positions_.size());
+    for (TriangleIndices& triangle : triangles_) {
+        for (std::uint32_t& corner : triangle) {
+            if (new_index[corner] == unused) {
+                new_index[corner] = static_cast<std::uint32_t>(sorted.size());
+                sorted.push_back(positions_[corner]);
+            }
+            corner = new_index[corner];
+        }
+    }
+    sorted.shrink_to_fit();
+    positions_ = std::move(sorted);
 }
 
 void TriangleMesh::orient() {
