@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "geom/sphere.hpp"
 #include "tests/geom/lines.hpp"
@@ -53,6 +54,34 @@ TEST_CASE("the hierarchy visits all that a whole line meets", "[geom]") {
         bvh.traverse_line(ray, [&](std::uint32_t i) { visited[i] = true; });
         for (std::size_t i = 0; i < spheres.size(); ++i) {
             if (spheres[i].interval(ray, no_face).hit) REQUIRE(visited[i]);
+        }
+    }
+}
+
+TEST_CASE("the hierarchy misses nothing from far away, far out or in another scale", "[geom]") {
+    Dice dice(5);
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+        for (const double offset : {0.0, 1e3, 1e6}) {
+            std::vector<Sphere> spheres = scattered(100, 6);
+            const Vec3 shift = offset * scale * Vec3{1.0, 0.7, -1.3};
+            for (Sphere& sphere : spheres) {
+                sphere = {shift + scale * sphere.center, scale * sphere.radius};
+            }
+            const Bvh bvh = over(spheres);
+            for (int i = 0; i < 1000; ++i) {
+                // Along silhouettes, from up to a million sizes away.
+                const Sphere& aim = spheres[dice.below(100)];
+                const Vec3 d = dice.direction(), side = glm::cross(d, dice.direction());
+                const double away = scale * std::pow(10.0, dice.between(0.0, 6.0));
+                const Vec3 limb = aim.center + (1.0 - 1e-9) * aim.radius * glm::normalize(side);
+                const Ray ray{limb - away * d, d};
+                std::vector<bool> visited(spheres.size());
+                bvh.traverse(ray, infinity, [&](std::uint32_t k) { visited[k] = true; });
+                for (std::size_t k = 0; k < spheres.size(); ++k) {
+                    const Interval interval = spheres[k].interval(ray, no_face);
+                    if (interval.hit && interval.t1 > 0.0) REQUIRE(visited[k]);
+                }
+            }
         }
     }
 }
