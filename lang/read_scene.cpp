@@ -103,7 +103,6 @@ void fail_unknown_object(Session& session, std::string_view word, const Span& sp
 
 SkyItem read_sky_sphere(Cursor& cursor) {
     SkyItem item;
-    geom::Transform transform;
     while (!cursor.at_end()) {
         const auto* value = cursor.declared();
         const auto* block = cursor.block();
