@@ -20,6 +20,11 @@ void read_gamma(Cursor& cursor) {
     const double gamma = cursor.number();
     if (!(gamma > 0.0)) throw SourceError(span, "assumed_gamma must be larger than 0");
     session.color_gamma = gamma;
+    if (gamma != 1.0) {
+        session.warn(span,
+                     "colors are decoded to linear light here; POV-Ray computes with the numbers "
+                     "as they stand, so shaded colors differ");
+    }
 }
 
 int read_trace_level(Cursor& cursor) {

@@ -116,6 +116,12 @@ geom::Lathe read_lathe(Cursor& cursor, const Span& span) {
     }
 }
 
+/// What is wrong with a shape that has no extent where it needs one; a shape may have nothing to
+/// say here.
+template <class Shape>
+std::string_view fault(const Shape&) {
+    return "";
+}
 /// A box without height is a rectangle: a surface, as no ray can be inside it.
 std::optional<geom::Polygon> flat_box(const geom::Box& box) {
     const auto a = box.corner1, c = box.corner2;
@@ -159,9 +165,6 @@ std::string_view fault(const geom::Triangle& t) {
                ? "this triangle has no area: its corners lie on a line"
                : "";
 }
-std::string_view fault(const geom::Polygon&) { return ""; }
-std::string_view fault(const geom::Lathe&) { return ""; }
-std::string_view fault(const geom::Mesh&) { return ""; }
 
 }  // namespace
 
