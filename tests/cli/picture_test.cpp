@@ -11,7 +11,7 @@ const std::string small = " -W 16 -H 12 --spp 1 --quiet ";
 
 }  // namespace
 
-TEST_CASE("-o - writes the same PNG to standard output", "[cli]") {
+TEST_CASE("option -o - writes the same PNG to standard output", "[cli]") {
     const Program program;
     program.run("render ball.scene" + small);
     const auto result = program.run("render ball.scene -o -" + small);
@@ -19,7 +19,7 @@ TEST_CASE("-o - writes the same PNG to standard output", "[cli]") {
     CHECK(result.out == program.read("ball.png"));
 }
 
-TEST_CASE("- reads the scene from standard input", "[cli]") {
+TEST_CASE("a scene called - is read from standard input", "[cli]") {
     const Program program;
     const auto result = program.run("render - -o a.png" + small + "<ball.scene");
     CHECK(result.exit_code == 0);
@@ -38,7 +38,7 @@ TEST_CASE("EXR holds what PNG rounds", "[cli]") {
         CHECK_THAT(png.rgb[i], Catch::WithinAbs(std::min(exr.rgb[i], 1.0f), 2e-5));
 }
 
-TEST_CASE("--depth 16 is --bits 16 where no tree has a depth", "[cli]") {
+TEST_CASE("option --depth 16 is --bits 16 where no tree has a depth", "[cli]") {
     const Program program;
     program.run("render ball.scene -o a.png --depth 16" + small);
     program.run("render ball.scene -o b.png --bits 16" + small);

@@ -5,7 +5,7 @@
 
 using nlohmann::json;
 
-TEST_CASE("--json tells what was done", "[cli]") {
+TEST_CASE("option --json tells what was done", "[cli]") {
     const Program program;
     const auto result =
         program.run("render ball.scene -W 16 -H 12 --spp 1 --quiet --json - -o a.png");
@@ -31,7 +31,7 @@ TEST_CASE("--json tells what was done", "[cli]") {
     CHECK_THAT(report.at("options").get<std::string>(), Catch::Contains("--grid 1"));
 }
 
-TEST_CASE("--json FILE leaves standard output empty", "[cli]") {
+TEST_CASE("option --json FILE leaves standard output empty", "[cli]") {
     const Program program;
     CHECK(program.run("render ball.scene -W 8 -H 8 --spp 1 --json a.json").out.empty());
     CHECK(json::parse(program.read("a.json")).contains("rays"));
@@ -63,7 +63,7 @@ TEST_CASE("the tree follows from the sampling", "[cli]") {
     CHECK(json::parse(result.out).at("tree") == tree);
 }
 
-TEST_CASE("--declare reaches the scene", "[cli]") {
+TEST_CASE("option --declare reaches the scene", "[cli]") {
     const Program program;
     program.write("gray.scene", "#version 3.7;\nbackground { color rgb Level }\n");
     CHECK(
@@ -74,7 +74,7 @@ TEST_CASE("--declare reaches the scene", "[cli]") {
     CHECK(program.run("render gray.scene -W 2 -H 2 --spp 1 --quiet").exit_code == 2);
 }
 
-TEST_CASE("-L is where included files are looked for", "[cli]") {
+TEST_CASE("option -L is where included files are looked for", "[cli]") {
     const Program program;
     std::filesystem::create_directory(program.path("parts"));
     program.write("parts/sky.inc", "background { color rgb 0.5 }\n");

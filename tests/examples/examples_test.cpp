@@ -69,9 +69,10 @@ TEST_CASE("water as a coarse mesh in a fine glass gives the same picture", "[exa
     CHECK(share_off(smooth.picture, coarse.picture, 1e-6) <= 0.003);
 }
 
+// It is not sound where surfaces coincide: a glass that stands on the floor.
 TEST_CASE("recast gives the picture of the sweep where the paper's method is sound", "[examples]") {
     for (const char* name :
-         {"three_spheres.scene", "first_page.scene", "ocean.scene", "sparkling.scene"}) {
+         {"three_spheres.scene", "first_page.scene", "ocean.scene", "lens.scene"}) {
         INFO(name);
         const auto sweep = render(name, tracer::InteriorMode::sweep, 48, 36);
         const auto recast = render(name, tracer::InteriorMode::recast, 48, 36);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,9 +44,12 @@ Reference run_povray(const std::filesystem::path& scene, int width, int height) 
         scene.parent_path().string(), scene.string(), picture.string(), width, height,
         log.string());
     if (std::system(command.c_str()) != 0 || !std::filesystem::exists(picture)) {
-        throw std::runtime_error(
-            fmt::format("POV-Ray 3.7 (Debian package povray) does not render {}:\n{}",
-                        scene.string(), read_all(log)));
+        // Its own words come last, behind a page on its version and its authors.
+        const std::string words = read_all(log);
+        const auto error = words.find("Error");
+        throw std::runtime_error(fmt::format(
+            "POV-Ray 3.7 (Debian package povray) does not render {}:\n{}", scene.string(),
+            error == std::string::npos ? words : words.substr(words.rfind('\n', error) + 1)));
     }
     std::istringstream file(read_all(picture));
     std::string magic;
@@ -81,28 +85,34 @@ std::string Difference::text() const {
         largest, worst_x, worst_y, 100.0 * share_off);
 }
 
-Difference difference(const Reference& reference, const std::vector<float>& rgb) {
+Difference difference(const Reference& reference, const std::vector<float>& rgb,
+                      std::size_t outliers) {
     if (reference.rgb.size() != rgb.size()) throw std::runtime_error("pictures of different size");
-    Difference result;
-    double squares = 0.0;
-    const std::size_t pixels = rgb.size() / 3;
-    std::size_t off = 0;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        double worst = 0.0;
+    struct Pixel {
+        double squares = 0.0, worst = 0.0;
+        std::size_t index = 0;
+    };
+    std::vector<Pixel> pixels(rgb.size() / 3);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i].index = i;
         for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
             const double d = std::abs(std::clamp(double(rgb[c]), 0.0, 1.0) - reference.rgb[c]);
-            squares += d * d;
-            worst = std::max(worst, d);
-        }
-        off += worst > 0.02;
-        if (worst > result.largest) {
-            result.largest = worst;
-            result.worst_x = int(i % std::size_t(reference.width));
-            result.worst_y = int(i / std::size_t(reference.width));
+            pixels[i].squares += d * d;
+            pixels[i].worst = std::max(pixels[i].worst, d);
         }
     }
+    std::ranges::sort(pixels, std::greater{}, &Pixel::worst);
+
+    Difference result;
+    double squares = 0.0;
+    for (std::size_t i = outliers; i < pixels.size(); ++i) squares += pixels[i].squares;
     result.rmse = std::sqrt(squares / double(rgb.size()));
-    result.share_off = double(off) / double(pixels);
+    const auto off =
+        std::ranges::count_if(pixels, [](const Pixel& pixel) { return pixel.worst > 0.02; });
+    result.share_off = double(off) / double(pixels.size());
+    result.largest = pixels.front().worst;
+    result.worst_x = int(pixels.front().index % std::size_t(reference.width));
+    result.worst_y = int(pixels.front().index / std::size_t(reference.width));
     return result;
 }
 

@@ -23,6 +23,8 @@ struct Difference {
     std::string text() const;
 };
 
-Difference difference(const Reference& reference, const std::vector<float>& rgb);
+/// The `outliers` worst pixels are left out of `rmse`, and of nothing else.
+Difference difference(const Reference& reference, const std::vector<float>& rgb,
+                      std::size_t outliers = 0);
 
 }  // namespace meniscus::test

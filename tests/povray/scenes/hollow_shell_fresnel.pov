@@ -1,0 +1,14 @@
+// expect rmse 1e-5: rounding to 16 bits is 4.4e-6
+#version 3.7;
+global_settings { assumed_gamma 1.0 max_trace_level 20 adc_bailout 1e-4 }
+camera { location <0.3, 1.6, -5> look_at <0, 0.6, 0> right x*image_width/image_height angle 40 }
+light_source { <4, 6, -5> rgb 0.8 }
+background { rgb <0.3, 0.4, 0.6> }
+plane { y, 0 pigment { checker rgb <0.8, 0.7, 0.6> rgb <0.2, 0.3, 0.4> scale 0.5 } finish { ambient 0.1 diffuse 0.6 } }
+#declare Clear = texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 1 fresnel } conserve_energy } }
+#ifdef (Meniscus)
+sphere { <0, 0.8, 0>, 0.7 material { ior 1.5 priority 1 } }
+sphere { <0, 0.8, 0>, 0.55 material { ior 1 priority 2 } }
+#else
+difference { sphere { <0, 0.8, 0>, 0.7 } sphere { <0, 0.8, 0>, 0.55 } texture { Clear } interior { ior 1.5 } }
+#end
