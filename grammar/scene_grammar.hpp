@@ -199,6 +199,10 @@ struct condition : peg::seq<condition_open, peg::must<logic, close_paren>> {};
 struct elseif : peg::seq<hash, peg::if_must<key<'e', 'l', 's', 'e', 'i', 'f'>, condition, items>> {
 };
 struct else_ : peg::seq<hash, key<'e', 'l', 's', 'e'>, items> {};
+// POV-Ray's own includes choose a block's word like this: #if (M) merge { #else union { #end ... }
+struct split_head : peg::seq<key<'i', 'f'>, condition, block_word, open_brace, hash,
+                             key<'e', 'l', 's', 'e'>, block_word, open_brace, end> {};
+struct split_block : peg::if_must<split_head, items, close_brace> {};
 struct if_tail : peg::seq<items, peg::star<elseif>, peg::opt<else_>> {};
 struct if_ : peg::if_must<key<'i', 'f'>, condition, if_tail, end> {};
 struct ifdef
@@ -256,8 +260,9 @@ struct opening_word : peg::sor<peg::keyword<'i', 'f'>, peg::keyword<'i', 'f', 'd
                                peg::keyword<'i', 'n', 'c', 'l', 'u', 'd', 'e'>> {};
 struct conditional : peg::seq<peg::at<hash, opening_word>, directive> {};
 struct directive
-    : peg::seq<hash, peg::sor<declare, if_, ifdef, while_, for_, switch_, break_, macro, include,
-                              undef, default_, version, message, file_io, bad_directive>> {};
+    : peg::seq<hash,
+               peg::sor<declare, split_block, if_, ifdef, while_, for_, switch_, break_, macro,
+                        include, undef, default_, version, message, file_io, bad_directive>> {};
 
 // Items
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "grammar/words.hpp"
+#include "lang/diagnostic.hpp"
 #include "lang/syntax_tree.hpp"
 
 namespace meniscus::lang {
@@ -242,6 +243,8 @@ private:
                 return made(ast::Default{items(first(n))});
             case Kind::version:
                 return made(std::make_unique<ast::Version>(ast::Version{version(n)}));
+            case Kind::split_block:
+                return made(std::make_unique<ast::If>(split_block(n)));
             case Kind::if_:
             case Kind::ifdef:
                 return made(std::make_unique<ast::If>(if_(n)));
@@ -345,6 +348,24 @@ private:
         }
         return result;
     }
+    /// Two blocks of the same items, to choose between.
+    ast::If split_block(Node n) const {
+        const auto condition = first(n), word1 = next(condition), word2 = next(word1),
+                   inner = next(word2);
+        constexpr int most_nested = 8;  // as each is read twice
+        if (split_depth_ == most_nested) throw SourceError(span(n), "nested too deep");
+        ++split_depth_;
+        const auto one_block = [&](Node name) {
+            ast::Items result;
+            result.push_back({ast::Block{word(name), items(inner), word_span(name)}, span(n)});
+            return result;
+        };
+        ast::If result;
+        result.branches.push_back({expression(condition), false, one_block(word1)});
+        result.otherwise = one_block(word2);
+        --split_depth_;
+        return result;
+    }
     ast::For for_(Node n) const {
         ast::For result;
         each_child(n, [&](Node child) {
@@ -387,6 +408,7 @@ private:
 
     Span text_;
     std::vector<SyntaxNode> nodes_;
+    mutable int split_depth_ = 0;
 };
 
 }  // namespace

@@ -67,6 +67,7 @@ constexpr Kind kind_of() {
     if (derives<Rule, g::elseif>) return Kind::elseif;
     if (derives<Rule, g::else_>) return Kind::else_;
     if (derives<Rule, g::if_>) return Kind::if_;
+    if (derives<Rule, g::split_block>) return Kind::split_block;
     if (derives<Rule, g::ifdef>) return Kind::ifdef;
     if (derives<Rule, g::while_>) return Kind::while_;
     if (derives<Rule, g::for_>) return Kind::for_;

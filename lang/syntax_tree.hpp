@@ -56,6 +56,7 @@ enum class Kind : std::uint8_t {
     elseif,
     else_,
     if_,
+    split_block,
     ifdef,
     while_,
     for_,

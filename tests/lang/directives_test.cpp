@@ -24,6 +24,13 @@ TEST_CASE("#if takes the first branch that holds", "[lang]") {
     CHECK(run("# if (1) #debug \"blanks\" #\nend") == "blanks");
 }
 
+TEST_CASE("a condition may choose a block's word, as POV-Ray's includes do", "[lang]") {
+    const std::string text =
+        "#macro M(A) #if (A) merge { #else union { #end sphere { 0, 1 } box { 0, 1 } } #end ";
+    CHECK(interpret(text + "M(0)").scene.objects.size() == 2);
+    CHECK(error(text + "M(1)") == "this is POV-Ray, but not supported here: `merge`");
+}
+
 TEST_CASE("#for includes its end and leaves the next value behind", "[lang]") {
     CHECK(run(show + "#for (I, 1, 3) P(I) #end") == "1 2 3 ");
     CHECK(run(show + "#for (I, 3, 1, -1) P(I) #end P(I)") == "3 2 1 0 ");

@@ -38,6 +38,7 @@ TEST_CASE("nesting is bounded, whatever nests", "[lang]") {
         CHECK(error("#declare A = " + repeat("<", depth)) != "");
         CHECK(error(repeat("union {", depth)) != "");
         CHECK(error(repeat("#if (1) ", depth)) != "");
+        CHECK(error(repeat("#if (1) merge { #else union { #end ", depth)) != "");
         CHECK(error(repeat("/*", depth)) != "");
         CHECK(error(repeat("#macro M() ", depth)) != "");
         CHECK(error("#declare A = 1 + " + repeat("sin(", depth)) != "");
@@ -45,6 +46,8 @@ TEST_CASE("nesting is bounded, whatever nests", "[lang]") {
         CHECK(error("#declare F = function " + repeat("{", depth)) != "");
         CHECK(error("#declare A = array[1] " + repeat("{", depth)) != "");
     }
+    CHECK(error(repeat("#if (0) merge { #else union { #end ", 100) + repeat("}", 100)) ==
+          "nested too deep");
     CHECK(error("#declare A = " + repeat("(", 300) + "1" + repeat(")", 300) + ";") == "");
     CHECK(error("#declare A = " + repeat("-", 100000) + "1;") == "");
 }
