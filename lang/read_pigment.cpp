@@ -154,12 +154,8 @@ bool read_declared(Cursor& cursor, PigmentItem& item) {
 
 }  // namespace
 
-scene::Rgb to_light(const Session& session, const Vector& color) {
-    scene::Rgb rgb{color.at[0], color.at[1], color.at[2]};
-    if (session.color_gamma == 1.0) return rgb;
-    for (int i = 0; i < 3; ++i)
-        rgb[i] = rgb[i] > 0.0 ? std::pow(rgb[i], session.color_gamma) : rgb[i];
-    return rgb;
+scene::Rgb to_light(const Session&, const Vector& color) {
+    return {color.at[0], color.at[1], color.at[2]};
 }
 
 Color to_scene_color(const Session& session, const Vector& color) {

@@ -13,18 +13,10 @@ void read_gamma(Cursor& cursor) {
     auto& session = cursor.session();
     const auto span = cursor.span();
     session.states_gamma = true;
-    if (cursor.accept("srgb")) {
-        session.color_gamma = 2.2;
-        return;
-    }
-    const double gamma = cursor.number();
+    double gamma = 2.2;
+    if (!cursor.accept("srgb")) gamma = cursor.number();
     if (!(gamma > 0.0)) throw SourceError(span, "assumed_gamma must be larger than 0");
-    session.color_gamma = gamma;
-    if (gamma != 1.0) {
-        session.warn(span,
-                     "colors are decoded to linear light here; POV-Ray computes with the numbers "
-                     "as they stand, so shaded colors differ");
-    }
+    session.scene.settings.working_gamma = gamma;
 }
 
 int read_trace_level(Cursor& cursor) {

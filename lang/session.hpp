@@ -24,7 +24,6 @@ public:
     Symbols symbols;
     TextureItem default_texture;
     std::optional<double> version;  // of #version
-    double color_gamma = 1.0;       // colours as written are light to the power of 1 / color_gamma
     bool states_gamma = false;
     scene::Scene scene;
     std::string messages;

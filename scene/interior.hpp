@@ -11,10 +11,10 @@ namespace meniscus::scene {
 /// distance)^power), per channel.
 struct Fade {
     double distance = 0.0;  // 0: no fading
-    double power = 0.0;     // 0: no fading
+    double power = 0.0;     // 0: halves towards the color, once a segment and whatever its length
     Rgb color{0.0};
     bool operator==(const Fade&) const = default;
-    bool is_active() const { return distance > 0.0 && power > 0.0; }
+    bool is_active() const { return distance > 0.0; }
 };
 
 /// What fills a solid, and who wins where solids overlap.

@@ -15,6 +15,9 @@ struct Settings {
     Rgb ambient_light{1.0};
     Interior outside;                         // the medium of the space outside everything
     std::optional<double> contact_tolerance;  // scene units, along the normal
+    /// POV-Ray's assumed_gamma: the scene computes with light to the power of 1 / working_gamma,
+    /// and its picture is taken to the power of it. 1: the numbers are light.
+    double working_gamma = 1.0;
     /// Values are written to the file as they are: no sRGB encoding. (Scenes below #version 3.7
     /// without assumed_gamma.)
     bool raw_output = false;

@@ -270,8 +270,12 @@ scene::Rgb RayTree::sky(const Vec3& direction, const scene::Interior& around) co
     for (int i = 0; i < 3; ++i) {
         if (around.absorption[i] > 0.0) light[i] = 0.0;
         if (!around.fade.is_active()) continue;
-        light[i] *= around.fade.power >= 1000.0 ? (around.fade.color[i] < 1.0 ? 0.0 : 1.0)
-                                                : around.fade.color[i];
+        const double left = around.fade.color[i];
+        if (around.fade.power >= 1000.0) {
+            if (left < 1.0) light[i] = 0.0;
+        } else {
+            light[i] *= around.fade.power == 0.0 ? 0.5 * (1.0 + left) : left;
+        }
     }
     return light;
 }

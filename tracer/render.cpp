@@ -258,6 +258,10 @@ Rendered render(const RenderScene& scene, const Options& options) {
             result.statistics.samples += std::uint64_t(film.at(x, y).samples);
     }
     result.picture = film.develop(options.layers);
+    if (const double gamma = scene.source.settings.working_gamma; gamma != 1.0) {
+        for (float& value : result.picture.rgb)
+            value = float(std::pow(std::max(double(value), 0.0), gamma));
+    }
     result.interrupted = renderer.interrupted();
     result.seconds = watch.seconds();
     result.cpu_seconds = cpu_seconds() - cpu_start;

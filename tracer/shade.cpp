@@ -66,7 +66,7 @@ Rgb RayTree::unshadowed(const TracedRay& ray, const Event& event, const Vec3& di
     const auto attenuate = [&](int solid, double t) {
         way += t;
         const scene::Interior& around = medium(scene_, solid);
-        if (around.attenuates()) left *= transmittance(around, way);
+        if (around.attenuates()) left *= transmittance(around, way, true);
         way = 0.0;
     };
     while (true) {

@@ -145,6 +145,8 @@ TEST_CASE("gamma depends on the version and on assumed_gamma", "[lang]") {
     CHECK(interpret("#version 3.6; sphere { 0, 1 }").scene.settings.raw_output);
     CHECK_FALSE(interpret("#version 3.7; sphere { 0, 1 }").scene.settings.raw_output);
     CHECK_FALSE(interpret("global_settings { assumed_gamma 1 }").scene.settings.raw_output);
+    CHECK(interpret("global_settings { assumed_gamma 2.2 }").scene.settings.working_gamma == 2.2);
+    CHECK(interpret("global_settings { assumed_gamma 1 }").scene.settings.working_gamma == 1.0);
 }
 
 TEST_CASE("skies", "[lang]") {
