@@ -18,7 +18,9 @@ struct Judged {
 };
 
 /// Finds where a ray's medium changes next. One for each thread: it keeps scratch memory between
-/// rays.
+/// rays. What it does stands in a file each: one traversal of the scene (next_event.cpp), the way
+/// along what that found (walk.cpp, make_event.cpp), the first list (start.cpp), the checks of its
+/// own work (self_check.cpp), and the paper's method beside it (recast.cpp).
 class EventFinder {
 public:
     EventFinder(const RenderScene& scene, const Options& options, Statistics& statistics);
@@ -44,7 +46,17 @@ private:
     bool is_visible(const Part& part, RayKind kind) const;
     void collect(const TracedRay& ray, int top, double t_max, bool bound_by_exits);
     void offer(const TracedRay& ray, int part, int top, bool bound_by_exits);
+
     std::optional<Event> walk(TracedRay& ray);
+    std::size_t find_pivot(const InteriorList& list, std::size_t begin) const;
+    void gather_group(const TracedRay& ray, std::size_t begin, std::size_t pivot);
+    void apply(const TracedRay& ray, const Offer& offer, InteriorList& list);
+    void note(const Offer& offer, bool is_true);
+    const Offer* surface_in_group() const;
+    const Offer& owner_of_group(std::size_t pivot, int top_before, int top_after) const;
+    Event make_group_event(const TracedRay& ray, std::size_t pivot, const Offer* surface,
+                           const InteriorList& before, const InteriorList& after);
+
     Event make_event(const TracedRay& ray, double t, const Offer& owner, const InteriorList& before,
                      const InteriorList& after) const;
     double cosine(const TracedRay& ray, const Offer& offer) const;
@@ -56,7 +68,8 @@ private:
     Statistics& statistics_;
     Offers offers_;
     std::vector<Offer> found_;
-    std::vector<char> used_;
+    std::vector<char> used_;  // by index in found_: applied to the list, or in the group
+    geom::InlineVector<std::uint32_t, 16> group_;  // coincident crossings: indices in found_
     std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
     unsigned stamp_ = 0;
     double bound_ = 0.0;  // no true crossing of this traversal can lie behind it

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tracer/ray_state.hpp"
@@ -12,6 +13,11 @@ namespace meniscus::tracer {
 /// scale of all rounding errors at the crossing (docs/numerics.md).
 inline double tolerance(const RenderScene& scene, double magnitude) {
     return std::max(16.0 * geom::unit_roundoff * magnitude, scene.contact_tolerance);
+}
+
+/// Crossings up to here may coincide along the normal with one at `t`, at grazing angles.
+inline double reach(const RenderScene& scene, double t, double magnitude) {
+    return t + std::max(1e-7 * magnitude, 100.0 * scene.contact_tolerance);
 }
 
 /// One crossing that a part offers to a ray, at t >= 0.

@@ -86,8 +86,6 @@ std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
             ++statistics_.true_crossings;
             Event event = make_event(leg, nearest.t, offer, before, after);
             event.t = travelled + nearest.t;
-            event.solid_before = solid_before;
-            event.solid_after = solid_after;
             const int top_after = after.top(scene_);
             if (part.is_member && top_after != outside && scene_.parts[top_after].is_opaque)
                 event.skin = top_after;
