@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "lang/interpret.hpp"
-#include "tests/povray/povray.hpp"
+#include "povray/run.hpp"
+#include "tests/povray/difference.hpp"
 #include "tests/povray/random_pov.hpp"
 #include "tracer/render.hpp"
 
@@ -66,8 +67,8 @@ std::string verdict(const std::filesystem::path& file) {
         return std::string("failed\t") + one_line(error.what());
     }
     try {
-        const auto theirs = test::run_povray(file, width, height);
-        const auto d = test::difference(theirs, ours.picture.rgb);
+        const auto theirs = povray::run(file, {.width = width, .height = height}).picture;
+        const auto d = test::difference(theirs, ours.picture);
         if (!keep.empty()) {
             save(ours.picture.rgb, keep / (file.stem().string() + ".meniscus.ppm"));
             save(theirs.rgb, keep / (file.stem().string() + ".povray.ppm"));

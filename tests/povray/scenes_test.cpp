@@ -11,7 +11,8 @@
 #include <regex>
 
 #include "lang/interpret.hpp"
-#include "tests/povray/povray.hpp"
+#include "povray/run.hpp"
+#include "tests/povray/difference.hpp"
 #include "tracer/render.hpp"
 
 using namespace meniscus;
@@ -63,8 +64,8 @@ TEST_CASE("scenes look as POV-Ray renders them", "[povray]") {
             const auto scene = tracer::compile(lang::interpret_file(path, reading).scene);
             const auto ours = tracer::render(scene, options);
             const auto [rmse, outliers] = expectation(path);
-            const auto difference =
-                test::difference(test::run_povray(path, width, height), ours.picture.rgb, outliers);
+            const auto theirs = povray::run(path, {.width = width, .height = height});
+            const auto difference = test::difference(theirs.picture, ours.picture, outliers);
             INFO(difference.text());
             CHECK(difference.rmse <= rmse);
             CHECK(ours.statistics.leaks == 0);
