@@ -22,14 +22,23 @@ void check_finite(const geom::Vec3& v, const Span& span) {
     }
 }
 
-/// srgb: the sRGB curve's inverse.
-double from_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+/// The numbers with which the scene computes. Without #version 3.7 and assumed_gamma these go to
+/// the picture as they are, which is on the sRGB curve.
+scene::WorkingSpace working_space(const Session& session) {
+    const bool is_raw = !session.states_gamma && session.version.value_or(3.6) < 3.7;
+    return is_raw ? scene::WorkingSpace{.is_srgb = true} : session.scene.settings.working_space;
+}
 
 /// `rgb`, `rgbf`, ...: which of the five components the values go to.
-void set_components(Vector& color, std::string_view word, Vector values) {
-    const bool srgb = word.front() == 's';
-    if (srgb) word.remove_prefix(1);
-    for (std::size_t i = 0; i < 3; ++i) color.at[i] = srgb ? from_srgb(values.at[i]) : values.at[i];
+void set_components(Session& session, Vector& color, std::string_view word, Vector values) {
+    if (word.front() == 's') {
+        word.remove_prefix(1);
+        const auto space = working_space(session);
+        for (std::size_t i = 0; i < 3 && !space.is_srgb; ++i)
+            values.at[i] = space.from_light(scene::light_of_srgb(values.at[i]));
+        session.srgb_taken_as = space;
+    }
+    for (std::size_t i = 0; i < 3; ++i) color.at[i] = values.at[i];
     if (word == "rgbf") color.at[3] = values.at[3];
     if (word == "rgbt") color.at[4] = values.at[3];
     if (word == "rgbft") {
@@ -117,7 +126,7 @@ Vector Cursor::color() {
         if (!node) fail_expected("a color");
         const auto value = evaluate(session_, *node);
         auto components = to_vector(value, node->span);
-        set_components(color, first, components);
+        set_components(session_, color, first, components);
         advance();
     } else if (channel(first) < 0) {
         const auto* node = expression();

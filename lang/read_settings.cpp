@@ -12,11 +12,14 @@ namespace {
 void read_gamma(Cursor& cursor) {
     auto& session = cursor.session();
     const auto span = cursor.span();
+    scene::WorkingSpace space;
+    space.is_srgb = cursor.accept("srgb");
+    if (!space.is_srgb) space.gamma = cursor.number();
+    if (!(space.gamma > 0.0)) throw SourceError(span, "assumed_gamma must be larger than 0");
+    if (session.srgb_taken_as && *session.srgb_taken_as != space)
+        throw SourceError(span, "assumed_gamma must be stated before the first colour in `srgb`");
     session.states_gamma = true;
-    double gamma = 2.2;
-    if (!cursor.accept("srgb")) gamma = cursor.number();
-    if (!(gamma > 0.0)) throw SourceError(span, "assumed_gamma must be larger than 0");
-    session.scene.settings.working_gamma = gamma;
+    session.scene.settings.working_space = space;
 }
 
 int read_trace_level(Cursor& cursor) {

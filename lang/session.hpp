@@ -25,6 +25,7 @@ public:
     TextureItem default_texture;
     std::optional<double> version;  // of #version
     bool states_gamma = false;
+    std::optional<scene::WorkingSpace> srgb_taken_as;  // of the colours in `srgb` so far
     scene::Scene scene;
     std::string messages;
 

@@ -4,6 +4,7 @@
 
 #include "scene/color.hpp"
 #include "scene/interior.hpp"
+#include "scene/working_space.hpp"
 
 namespace meniscus::scene {
 
@@ -15,9 +16,7 @@ struct Settings {
     Rgb ambient_light{1.0};
     Interior outside;                         // the medium of the space outside everything
     std::optional<double> contact_tolerance;  // scene units, along the normal
-    /// POV-Ray's assumed_gamma: the scene computes with light to the power of 1 / working_gamma,
-    /// and its picture is taken to the power of it. 1: the numbers are light.
-    double working_gamma = 1.0;
+    WorkingSpace working_space;               // of all colours; the picture is turned into light
     /// Values are written to the file as they are: no sRGB encoding. (Scenes below #version 3.7
     /// without assumed_gamma.)
     bool raw_output = false;

@@ -258,9 +258,8 @@ Rendered render(const RenderScene& scene, const Options& options) {
             result.statistics.samples += std::uint64_t(film.at(x, y).samples);
     }
     result.picture = film.develop(options.layers);
-    if (const double gamma = scene.source.settings.working_gamma; gamma != 1.0) {
-        for (float& value : result.picture.rgb)
-            value = float(std::pow(std::max(double(value), 0.0), gamma));
+    if (const auto& space = scene.source.settings.working_space; !space.is_linear()) {
+        for (float& value : result.picture.rgb) value = float(space.to_light(double(value)));
     }
     result.interrupted = renderer.interrupted();
     result.seconds = watch.seconds();

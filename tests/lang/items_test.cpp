@@ -145,8 +145,33 @@ TEST_CASE("gamma depends on the version and on assumed_gamma", "[lang]") {
     CHECK(interpret("#version 3.6; sphere { 0, 1 }").scene.settings.raw_output);
     CHECK_FALSE(interpret("#version 3.7; sphere { 0, 1 }").scene.settings.raw_output);
     CHECK_FALSE(interpret("global_settings { assumed_gamma 1 }").scene.settings.raw_output);
-    CHECK(interpret("global_settings { assumed_gamma 2.2 }").scene.settings.working_gamma == 2.2);
-    CHECK(interpret("global_settings { assumed_gamma 1 }").scene.settings.working_gamma == 1.0);
+    const auto space = [](const std::string& settings) {
+        return interpret("global_settings { " + settings + " }").scene.settings.working_space;
+    };
+    CHECK(space("assumed_gamma 2.2") == scene::WorkingSpace{.gamma = 2.2});
+    CHECK(space("assumed_gamma srgb").is_srgb);
+    CHECK(space("assumed_gamma 1").is_linear());
+}
+
+// Measured with POV-Ray 3.7.0.10: #debug vstr(5, C, ",", 0, 6) of `color srgb 0.5`.
+TEST_CASE("a colour in srgb is the same light under any assumed_gamma", "[lang]") {
+    const auto red = [](const std::string& gamma) {
+        const auto result = interpret("#version 3.7; global_settings { assumed_gamma " + gamma +
+                                      " } #declare C = color srgb 0.5; #debug str(C.red, 0, 6)");
+        return std::stod(result.messages);
+    };
+    CHECK(red("1") == Approx(0.214041).margin(1e-6));
+    CHECK(red("2.2") == Approx(0.496227).margin(1e-6));
+    CHECK(red("srgb") == 0.5);
+}
+
+TEST_CASE("assumed_gamma comes before colours in srgb, as in POV-Ray", "[lang]") {
+    CHECK(error("#version 3.7; #declare C = color srgb 0.5; global_settings { assumed_gamma 2.2 }")
+              .starts_with("assumed_gamma must be stated before"));
+    CHECK(error("#version 3.7; #declare C = color srgb 0.5; global_settings { assumed_gamma 1 }")
+              .empty());
+    CHECK(error("#declare C = color srgb 0.5; global_settings { assumed_gamma 1 }")
+              .starts_with("assumed_gamma must be stated before"));
 }
 
 TEST_CASE("skies", "[lang]") {
