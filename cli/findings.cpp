@@ -102,6 +102,7 @@ std::string format_findings_json(const std::vector<Finding>& findings) {
             entry["related"].push_back(std::move(other));
         }
         if (const auto& p = finding.position) entry["position"] = {p->x, p->y, p->z};
+        if (finding.depth) entry["depth"] = *finding.depth;
         list.push_back(std::move(entry));
     }
     const Json json{{"version", version},

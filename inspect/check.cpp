@@ -15,9 +15,12 @@ namespace {
 constexpr auto lints = std::to_array<Lint*>({
     find_equal_priority_overlaps,
     find_thin_gaps,
+    find_thin_films,
+    find_hidden_solids,
     find_open_meshes,
     find_repaired_meshes,
     find_nested_shells,
+    find_self_intersections,
     find_media_without_solid,
     find_hidden_iors,
     find_camera_in_media,

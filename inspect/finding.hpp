@@ -25,6 +25,8 @@ struct Finding {
     std::string advice;                                 // what to do
     std::vector<Related> related;                       // other places that belong to it
     std::optional<geom::Vec3> position = std::nullopt;  // in the scene, if it is in one place
+    std::optional<double> depth =
+        std::nullopt;  // of an overlap, or the width of a gap: scene units
 };
 
 /// "2 warnings, 1 note".

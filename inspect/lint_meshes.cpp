@@ -5,6 +5,7 @@
 
 #include "inspect/lints.hpp"
 #include "inspect/sample_lines.hpp"
+#include "inspect/self_intersection.hpp"
 
 namespace meniscus::inspect {
 namespace {
@@ -74,6 +75,7 @@ void find_repaired_meshes(const RenderScene& scene, const Names& names,
         const auto& name = names.object(part.object);
         if (mesh.is_closed() && stats.was_inside_out) {
             Finding finding = about(scene, part, "inside-out-mesh");
+            finding.position = part.shape.transform().point(mesh.corners(0)[0]);
             finding.text = fmt::format(
                 "{} is inside out: its triangles are wound so that their normals point inwards; "
                 "it is rendered the right way round",
@@ -127,6 +129,31 @@ void find_nested_shells(const RenderScene& scene, const Names& names,
                 return;
             }
         }
+    });
+}
+
+void find_self_intersections(const RenderScene& scene, const Names& names,
+                             std::vector<Finding>& findings) {
+    visit_meshes(scene, [&](const Part& part, const geom::TriangleMesh& mesh) {
+        if (!part.is_member) return;
+        const auto found = find_self_intersection(mesh);
+        if (!found) return;
+        const auto& map = part.shape.transform();
+        const auto corners = [&](const std::array<geom::Vec3, 3>& triangle) {
+            return fmt::format("{} {} {}", text(map.point(triangle[0])),
+                               text(map.point(triangle[1])), text(map.point(triangle[2])));
+        };
+        Finding finding = about(scene, part, "self-intersecting-mesh");
+        finding.position = map.point(found->position);
+        finding.depth = found->depth * map.largest_scale();
+        finding.text = fmt::format(
+            "{} cuts through itself: {} of triangles, as at {}, where the triangle {} meets {}",
+            names.object(part.object), counted(found->pairs, "pair"), text(*finding.position),
+            corners(found->triangle), corners(found->other));
+        finding.advice =
+            "mend the mesh; inside and outside are counted, so that a fold that is turned inside "
+            "out is a hole";
+        findings.push_back(std::move(finding));
     });
 }
 

@@ -18,6 +18,10 @@ int lines_per_axis(std::size_t pairs) {
     return int(std::clamp<std::size_t>(200'000 / (pairs + 1), 4, 64));
 }
 
+/// Lines on which a gap or film must be seen: a round solid that touches another is that near to it
+/// on hardly any.
+constexpr std::size_t fewest = 3;
+
 const scene::Location& location(const RenderScene& scene, const Part& part) {
     return scene.source.objects[std::size_t(part.object)].location;
 }
@@ -56,21 +60,24 @@ void find_equal_priority_overlaps(const RenderScene& scene, const Names& names,
         return a.priority == b.priority && !interior(scene, a).same_medium(interior(scene, b));
     };
     visit_meetings(scene, wanted, [&](const Part& a, const Part& b, const Meeting& meeting) {
-        if (!meeting.shared) return false;
+        if (!meeting.overlap) return false;
         findings.push_back(
             {.severity = Finding::Severity::warning,
              .lint = "equal-priority-overlap",
              .location = location(scene, b),
              .text = fmt::format(
-                 "{} and {} overlap, as at {}, and both have priority {} ({}): the one that a ray "
-                 "entered last is there, so that it may look different from elsewhere",
-                 names.object(a.object), names.object(b.object), text(*meeting.shared),
-                 text(a.priority), unlike(interior(scene, a), interior(scene, b))),
+                 "{} and {} overlap, as at {} by {}, and both have priority {} ({}): the one that "
+                 "a "
+                 "ray entered last is there, so that it may look different from elsewhere",
+                 names.object(a.object), names.object(b.object), text(meeting.overlap->position),
+                 text(meeting.overlap->depth), text(a.priority),
+                 unlike(interior(scene, a), interior(scene, b))),
              .advice =
                  fmt::format("give the one that is there a higher priority, as {}",
                              fmt::format("`priority {}`", text(std::floor(a.priority) + 1.0))),
              .related = {{location(scene, a), names.object(a.object) + " is here"}},
-             .position = *meeting.shared});
+             .position = meeting.overlap->position,
+             .depth = meeting.overlap->depth});
         return true;
     });
 }
@@ -78,8 +85,6 @@ void find_equal_priority_overlaps(const RenderScene& scene, const Names& names,
 void find_thin_gaps(const RenderScene& scene, const Names& names, std::vector<Finding>& findings) {
     const auto wanted = [](const Part&, const Part&) { return true; };
     visit_meetings(scene, wanted, [&](const Part& a, const Part& b, const Meeting& meeting) {
-        // A round solid that touches another is that near to it on hardly any line.
-        constexpr std::size_t fewest = 3;
         if (meeting.gaps.size() < fewest) return false;
         const auto widest = std::ranges::max_element(meeting.gaps, {}, &Gap::width);
         findings.push_back(
@@ -95,7 +100,34 @@ void find_thin_gaps(const RenderScene& scene, const Names& names, std::vector<Fi
                                    "`global_settings {{ contact_tolerance {:.1g} }}`",
                                    4.0 * widest->width),
              .related = {{location(scene, a), names.object(a.object) + " is here"}},
-             .position = widest->position});
+             .position = widest->position,
+             .depth = widest->width});
+        return true;
+    });
+}
+
+void find_thin_films(const RenderScene& scene, const Names& names, std::vector<Finding>& findings) {
+    const auto wanted = [&](const Part& a, const Part& b) {
+        return a.priority != b.priority && !interior(scene, a).same_medium(interior(scene, b));
+    };
+    visit_meetings(scene, wanted, [&](const Part& a, const Part& b, const Meeting& meeting) {
+        if (meeting.films.size() < fewest) return false;
+        const auto widest = std::ranges::max_element(meeting.films, {}, &Gap::width);
+        const Part& low = a.priority < b.priority ? a : b;
+        const Part& high = a.priority < b.priority ? b : a;
+        findings.push_back(
+            {.severity = Finding::Severity::warning,
+             .lint = "thin-film",
+             .location = location(scene, low),
+             .text = fmt::format("{} sticks out of {} by {}, as at {}: a film of it lies there",
+                                 names.with_priority(low.solid), names.with_priority(high.solid),
+                                 text(widest->width), text(widest->position)),
+             .advice = fmt::format("let it end where the other does, or well inside; or state "
+                                   "`global_settings {{ contact_tolerance {:.1g} }}`",
+                                   4.0 * widest->width),
+             .related = {{location(scene, high), names.object(high.object) + " is here"}},
+             .position = widest->position,
+             .depth = widest->width});
         return true;
     });
 }

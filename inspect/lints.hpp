@@ -15,9 +15,12 @@ using Lint = void(const tracer::RenderScene& scene, const Names& names,
 
 Lint find_equal_priority_overlaps;  // lint_overlaps.cpp
 Lint find_thin_gaps;
-Lint find_open_meshes;  // lint_meshes.cpp
+Lint find_thin_films;
+Lint find_hidden_solids;  // lint_hidden.cpp
+Lint find_open_meshes;    // lint_meshes.cpp
 Lint find_repaired_meshes;
 Lint find_nested_shells;
+Lint find_self_intersections;
 Lint find_media_without_solid;  // lint_media.cpp
 Lint find_hidden_iors;
 Lint find_camera_in_media;  // lint_space.cpp

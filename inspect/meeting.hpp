@@ -13,10 +13,19 @@ struct Gap {
     geom::Vec3 position;
 };
 
+/// What two solids share: a point well inside both, and how thick the overlap is there, in the
+/// thinnest of a few directions.
+struct Overlap {
+    geom::Vec3 position;
+    double depth;
+};
+
 /// How two solids meet, as found along sample lines.
 struct Meeting {
-    std::optional<geom::Vec3> shared;  // a point well inside both: touching is not enough
-    std::vector<Gap> gaps;             // too thin to be meant, too wide to be rounding
+    std::optional<Overlap> overlap;  // the deepest found; touching is not enough
+    // Too thin to be meant, too wide to be rounding:
+    std::vector<Gap> gaps;   // between the two
+    std::vector<Gap> films;  // of the one of lower priority, outside a surface of the other
 };
 
 /// Solids this near to each other, relative to their coordinates, are taken for a mistake.

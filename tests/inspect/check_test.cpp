@@ -51,6 +51,9 @@ TEST_CASE("unlike media of equal priority that overlap are found, with a point i
     REQUIRE(findings[0].position);
     CHECK(a.contains(*findings[0].position));
     CHECK(b.contains(*findings[0].position));
+    REQUIRE(findings[0].depth);
+    CHECK(*findings[0].depth > 0.0);
+    CHECK(*findings[0].depth <= 2.0 - std::sqrt(1.1 * 1.1 + 1.0 + 1.2 * 1.2) + 1e-9);
     CHECK(findings[0].advice == "give the one that is there a higher priority, as `priority 4`");
     CHECK(inspect::has_warnings(findings));
 
@@ -122,6 +125,79 @@ TEST_CASE("gaps too thin to be meant are found, wider ones and contact are not",
     CHECK(with_gap(0.0).empty());
     CHECK(with_gap(1e-4).empty());
     CHECK(with_gap(-1e-9).empty());
+    CHECK(with_gap(5e-14) == Lints{"thin-gap"});  // between tau and 100 tau
+}
+
+TEST_CASE("an overlap of a billionth is an overlap where priorities are equal", "[inspect]") {
+    auto scene = seen_from_afar();
+    add_medium(scene, "Left", geom::Box{{-1.0, 0.0, 0.0}, {1e-9, 1.0, 1.0}}, 1.5, 0.0);
+    add_medium(scene, "Right", geom::Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, 1.4, 0.0);
+    const auto findings = check(scene);
+    REQUIRE(lints(findings) == Lints{"equal-priority-overlap"});
+    CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-6));
+}
+
+TEST_CASE("a solid that sticks out of one of higher priority by a trifle is a film", "[inspect]") {
+    const auto with_film = [](double film) {
+        auto scene = seen_from_afar();
+        const Vec3 up{0.0, 1.0, 0.0};
+        add_medium(scene, "Glass", geom::Cylinder{-up, up, 1.0}, 1.5, 2.0);
+        add_medium(scene, "Water", geom::Cylinder{-0.5 * up, 2.0 * up, 1.0 + film}, 1.33, 1.0);
+        return check(scene);
+    };
+    const auto findings = with_film(1e-9);
+    REQUIRE(lints(findings) == Lints{"thin-film"});
+    CHECK(findings[0].location.line == 2);
+    CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-5));
+    CHECK(std::hypot(findings[0].position->x, findings[0].position->z) == Approx(1.0));
+    CHECK(with_film(0.0).empty());
+    CHECK(with_film(-1e-9).empty());  // the glass is outside then, all along
+    CHECK(with_film(1e-3).empty());
+}
+
+TEST_CASE("a solid wholly inside one of higher priority is never there", "[inspect]") {
+    using geom::Shape;
+    const Vec3 up{0.0, 1.0, 0.0};
+    const auto [inner, outer, is_hidden] = GENERATE_COPY(table<Shape, Shape, bool>({
+        {geom::Sphere{{0.0, 0.5, 0.0}, 0.5}, geom::Sphere{Vec3{0.0}, 1.0}, true},  // touching
+        {geom::Sphere{{0.0, 0.5, 0.0}, 0.51}, geom::Sphere{Vec3{0.0}, 1.0}, false},
+        {geom::Box{Vec3{-0.57}, Vec3{0.57}}, geom::Sphere{Vec3{0.0}, 1.0}, true},
+        {geom::Box{Vec3{-0.58}, Vec3{0.58}}, geom::Sphere{Vec3{0.0}, 1.0}, false},
+        {geom::Cylinder{-0.5 * up, 0.5 * up, 0.86}, geom::Sphere{Vec3{0.0}, 1.0}, true},
+        {geom::Cylinder{-0.5 * up, 0.5 * up, 0.87}, geom::Sphere{Vec3{0.0}, 1.0}, false},
+        {geom::Cylinder{-up, up, 0.9}, geom::Cylinder{-up, up, 1.0}, true},
+        {geom::Cylinder{-up, 1.01 * up, 0.9}, geom::Cylinder{-up, up, 1.0}, false},
+        {geom::Torus{0.7, 0.25}, geom::Cylinder{-up, up, 1.0}, true},
+        {geom::Torus{0.8, 0.25}, geom::Cylinder{-up, up, 1.0}, false},
+        {geom::Sphere{{5.0, -1.0, 3.0}, 1.0}, geom::Plane{up, 0.0}, true},
+        {geom::Sphere{{5.0, -0.9, 3.0}, 1.0}, geom::Plane{up, 0.0}, false},
+        {geom::Sphere{Vec3{0.0}, 0.5}, geom::Torus{0.7, 0.25}, false},
+        {geom::Sphere{{0.7, 0.0, 0.0}, 0.2}, geom::Torus{0.7, 0.25}, true},  // by sampling
+    }));
+    auto scene = seen_from_afar();
+    scene.camera.location = {0.0, 90.0, 0.0};
+    add_medium(scene, "Inner", inner, 1.33, 1.0);
+    add_medium(scene, "Outer", outer, 1.5, 2.0);
+    CAPTURE(geom::keyword(inner), geom::keyword(outer));
+    const auto findings = check(scene);
+    REQUIRE(lints(findings) == (is_hidden ? Lints{"hidden-solid"} : Lints{}));
+    if (!is_hidden) return;
+    CHECK(findings[0].location.line == 1);
+    CHECK(findings[0].advice == "to make it visible, give it `priority 3` or more");
+    const bool is_sampled =
+        findings[0].text.find("as far as sample lines show") != std::string::npos;
+    CHECK(is_sampled == std::holds_alternative<geom::Torus>(outer));
+
+    SECTION("unless its own priority is higher") {
+        scene.solids[0].interior.priority = 3.0;
+        CHECK(check(scene).empty());
+    }
+    SECTION("moved and turned alike") {
+        for (auto& object : scene.objects)
+            object.transform = geom::Transform::rotation_degrees({10.0, 20.0, 30.0})
+                                   .then(geom::Transform::translation({-3.0, -40.0, 1.0}));
+        CHECK(lints(check(scene)) == Lints{"hidden-solid"});
+    }
 }
 
 TEST_CASE("an interior on what is never a solid is found", "[inspect]") {

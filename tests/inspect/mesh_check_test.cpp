@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/inspect/scenes.hpp"
@@ -61,6 +62,26 @@ TEST_CASE("triangles wound against their neighbours are noted", "[inspect]") {
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].lint == "inconsistent-mesh");
     CHECK_FALSE(inspect::has_warnings(findings));
+}
+
+TEST_CASE("a mesh that cuts through itself is found, with the place", "[inspect]") {
+    auto soup = cube();
+    soup.positions[7] = {-2.0, 0.9, -0.9};  // one corner is pulled through the opposite side
+    const auto findings = check_mesh(soup);
+    const auto found = std::ranges::find(findings, "self-intersecting-mesh", &Finding::lint);
+    REQUIRE(found != findings.end());
+    REQUIRE(found->position);
+    REQUIRE(found->depth);
+    CHECK(found->position->x == Approx(-1.0));  // the side that is pierced
+    CHECK(*found->depth > 0.0);
+    CHECK(*found->depth <= 1.0);
+    CHECK(inspect::has_warnings(findings));
+}
+
+TEST_CASE("a mesh that is folded, but not through itself, is fine", "[inspect]") {
+    auto soup = cube();
+    soup.positions[7] = {-0.9, -0.9, -0.9};  // dented, almost to the opposite corner
+    CHECK(check_mesh(soup).empty());
 }
 
 TEST_CASE("triangles without area are noted", "[inspect]") {
