@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,9 @@ ExitCode run_and_report(const std::vector<std::string>& arguments) {
     } catch (const image::FileError& error) {
         cli::print_error(error.what());
         return ExitCode::file_failed;
+    } catch (const std::bad_alloc&) {
+        cli::print_error("there is not enough memory for this picture or scene");
+        return ExitCode::wrong_input;
     } catch (const std::exception& error) {
         cli::print_error(fmt::format("internal error: {}", error.what()));
         return ExitCode::our_fault;

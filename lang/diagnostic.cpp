@@ -21,6 +21,15 @@ std::string_view name_of(Diagnostic::Severity severity) {
     return "";
 }
 
+/// Bytes that a terminal would obey stand as '?'.
+std::string printable(std::string line) {
+    for (char& c : line) {
+        const bool is_control = (c >= 0 && c < ' ' && c != '\t') || c == 0x7f;
+        if (is_control) c = '?';
+    }
+    return line;
+}
+
 }  // namespace
 
 Diagnostic make_diagnostic(Diagnostic::Severity severity, const Span& span, std::string text) {
@@ -49,7 +58,7 @@ std::string format(const Diagnostic& d) {
     for (int i = 0; i + 1 < d.location.column && i < static_cast<int>(d.line.size()); ++i) {
         blanks += d.line[static_cast<std::size_t>(i)] == '\t' ? '\t' : ' ';
     }
-    out += fmt::format("    {}\n    {}{}\n", d.line, blanks,
+    out += fmt::format("    {}\n    {}{}\n", printable(d.line), blanks,
                        std::string(static_cast<std::size_t>(std::max(d.length, 1)), '^'));
     return out;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lang/evaluate.hpp"
+#include "lang/extent.hpp"
 #include "lang/read_transform.hpp"
 
 namespace meniscus::lang {
@@ -141,6 +142,9 @@ private:
             throw SourceError(object.span, fmt::format("the scene has more than {} objects",
                                                        session_.options.limits.objects));
         }
+        check_extent(
+            geom::magnitude(shape) * from.outer.largest_scale() + geom::max_abs(from.outer.shift()),
+            "this object", object.span);
         if (!from.skin->index) from.skin->index = make_texture(session_, *from.skin);
         scene::Object result;
         result.shape = shape;
@@ -166,6 +170,7 @@ private:
         auto light = item.light;
         light.position = from.outer.point(light.position);
         light.point_at = from.outer.point(light.point_at);
+        check_extent(geom::max_abs(light.position), "this light", object.span);
         light.location = object.span.location();
         session_.scene.lights.push_back(std::move(light));
         from.solid.reset();

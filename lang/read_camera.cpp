@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lang/evaluate.hpp"
+#include "lang/extent.hpp"
 #include "lang/read_pigment.hpp"
 #include "lang/read_transform.hpp"
 
@@ -128,6 +129,8 @@ scene::Camera resolve(const CameraItem& camera, const Span& span) {
     result.direction = t.vector(result.direction);
     result.right = t.vector(result.right);
     result.up = t.vector(result.up);
+    for (const auto& v : {result.location, result.direction, result.right, result.up})
+        check_extent(std::abs(v.x) + std::abs(v.y) + std::abs(v.z), "this camera", span);
     return result;
 }
 

@@ -85,6 +85,12 @@ TEST_CASE("an error is printed with its line and carets", "[lang]") {
           "test.scene:1:14: error: unknown name 'B'\n"
           "    \tsphere { 0, B }\n"
           "    \t            ^\n");
+    CHECK(
+        printed_error("\x1b[2J") ==
+        "test.scene:1:1: error: expected an object, a directive or the end of the file, found the "
+        "byte 0x1B\n"
+        "    ?[2J\n"
+        "    ^\n");
 }
 
 }  // namespace meniscus::lang::test
