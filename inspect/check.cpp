@@ -13,9 +13,7 @@ namespace meniscus::inspect {
 namespace {
 
 constexpr auto lints = std::to_array<Lint*>({
-    find_equal_priority_overlaps,
-    find_thin_gaps,
-    find_thin_films,
+    find_bad_meetings,
     find_hidden_solids,
     find_open_meshes,
     find_repaired_meshes,

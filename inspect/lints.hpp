@@ -13,9 +13,7 @@ using Lint = void(const tracer::RenderScene& scene, const Names& names,
 
 // To add a lint: declare it here, name it in check.cpp, write it beside its relatives.
 
-Lint find_equal_priority_overlaps;  // lint_overlaps.cpp
-Lint find_thin_gaps;
-Lint find_thin_films;
+Lint find_bad_meetings;   // lint_meetings.cpp
 Lint find_hidden_solids;  // lint_hidden.cpp
 Lint find_open_meshes;    // lint_meshes.cpp
 Lint find_repaired_meshes;
