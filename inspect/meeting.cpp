@@ -75,47 +75,60 @@ double thickness(const Part& a, const Part& b, const Vec3& p, const std::optiona
     return least;
 }
 
+/// Whether a third solid of higher priority than `priority` is there.
+bool is_covered(const tracer::RenderScene& scene, const Part& a, const Part& b, const Vec3& p,
+                double priority) {
+    bool covered = false;
+    const auto look = [&](int index) {
+        const Part& part = scene.parts[std::size_t(index)];
+        if (!part.is_member || part.solid == a.solid || part.solid == b.solid) return;
+        covered |= part.priority > priority && part.shape.contains(p) != part.inverse;
+    };
+    for (const int index : scene.unbounded) look(index);
+    scene.bvh.overlapping({p, p},
+                          [&](std::uint32_t primitive) { look(scene.bvh_parts[primitive]); });
+    return covered;
+}
+
+/// The slit on the line from a face of `part` to one of `other`, if it is too thin to be meant, too
+/// wide for rounding, and filled by no third solid above `priority`.
+std::optional<Gap> slit(const tracer::RenderScene& scene, const geom::Ray& line, const Part& part,
+                        geom::Face face, double t, const Part& other, double t_other,
+                        double priority) {
+    const double length = std::abs(t_other - t);
+    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+    const Vec3 p = line.at(t);
+    const double scale = magnitude(part, other, p);
+    if (length > 1e3 * thin * scale) return std::nullopt;
+    const double width = length * std::abs(glm::dot(part.shape.normal(face, p), line.direction));
+    if (width > thin * scale || width <= tracer::tolerance(scene, 4.0 * scale)) return std::nullopt;
+    const Vec3 middle = line.at(0.5 * (t + t_other));
+    if (is_covered(scene, part, other, middle, priority)) return std::nullopt;
+    return Gap{width, middle};
+}
+
 /// From where the line leaves one solid to where it enters the other.
-std::optional<Gap> gap_between(const tracer::RenderScene& scene, const Part& left,
-                               const Part& entered, const geom::Ray& line, const Inside& in_left,
-                               const Inside& in_entered) {
-    const double length = in_entered.begin - in_left.end;
-    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
-    const Vec3 p = line.at(in_left.end);
-    const double scale = magnitude(left, entered, p);
-    if (length > 1e3 * thin * scale) return std::nullopt;
-    const Vec3 normal = left.shape.normal(in_left.last, p);
-    const double width = length * std::abs(glm::dot(normal, line.direction));
-    if (width > thin * scale || width <= tracer::tolerance(scene, 4.0 * scale)) return std::nullopt;
-    return Gap{width, p};
+void add_gap(const tracer::RenderScene& scene, const geom::Ray& line, const Part& left,
+             const Inside& in_left, const Part& entered, const Inside& in_entered,
+             std::vector<Gap>& gaps) {
+    if (!(in_left.end < in_entered.begin)) return;
+    const auto gap = slit(scene, line, left, in_left.last, in_left.end, entered, in_entered.begin,
+                          std::min(left.priority, entered.priority));
+    if (gap) gaps.push_back(*gap);
 }
 
-/// Where the solid of lower priority goes on beyond an end of the other: a film of it.
-std::optional<Gap> film_beyond(const tracer::RenderScene& scene, const Part& low, const Part& high,
-                               const geom::Ray& line, double low_end, double high_end,
-                               geom::Face face) {
-    const double length = std::abs(low_end - high_end);
-    if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
-    const Vec3 p = line.at(high_end);
-    const double scale = magnitude(low, high, p);
-    if (length > 1e3 * thin * scale) return std::nullopt;
-    const double width = length * std::abs(glm::dot(high.shape.normal(face, p), line.direction));
-    if (width > thin * scale || width <= tracer::tolerance(scene, 4.0 * scale)) return std::nullopt;
-    return Gap{width, p};
-}
-
-void add_films(const tracer::RenderScene& scene, const Part& low, const Part& high,
-               const geom::Ray& line, const Inside& in_low, const Inside& in_high,
+/// Where the solid of lower priority goes on beyond an end of the other: films of it.
+void add_films(const tracer::RenderScene& scene, const geom::Ray& line, const Part& low,
+               const Inside& in_low, const Part& high, const Inside& in_high,
                std::vector<Gap>& films) {
     const bool share = std::max(in_low.begin, in_high.begin) < std::min(in_low.end, in_high.end);
     if (!share || !(low.priority < high.priority)) return;
-    const auto add = [&](const std::optional<Gap>& film) {
-        if (film) films.push_back(*film);
+    const auto add = [&](geom::Face face, double t, double t_low) {
+        if (const auto film = slit(scene, line, high, face, t, low, t_low, low.priority))
+            films.push_back(*film);
     };
-    if (in_low.end > in_high.end)
-        add(film_beyond(scene, low, high, line, in_low.end, in_high.end, in_high.last));
-    if (in_low.begin < in_high.begin)
-        add(film_beyond(scene, low, high, line, in_low.begin, in_high.begin, in_high.first));
+    if (in_low.end > in_high.end) add(in_high.last, in_high.end, in_low.end);
+    if (in_low.begin < in_high.begin) add(in_high.first, in_high.begin, in_low.begin);
 }
 
 }  // namespace
@@ -146,12 +159,10 @@ Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b, int
                         is_well_inside(b, shared->middle, least))
                         deepest = shared;
                 }
-                if (const auto gap = gap_between(scene, a, b, line, i, j))
-                    meeting.gaps.push_back(*gap);
-                if (const auto gap = gap_between(scene, b, a, line, j, i))
-                    meeting.gaps.push_back(*gap);
-                add_films(scene, a, b, line, i, j, meeting.films);
-                add_films(scene, b, a, line, j, i, meeting.films);
+                add_gap(scene, line, a, i, b, j, meeting.gaps);
+                add_gap(scene, line, b, j, a, i, meeting.gaps);
+                add_films(scene, line, a, i, b, j, meeting.films);
+                add_films(scene, line, b, j, a, i, meeting.films);
             }
         }
     }

@@ -150,6 +150,14 @@ TEST_CASE("a solid that sticks out of one of higher priority by a trifle is a fi
     CHECK(findings[0].location.line == 2);
     CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-5));
     CHECK(std::hypot(findings[0].position->x, findings[0].position->z) == Approx(1.0));
+    SECTION("but not where a third solid covers it") {
+        auto scene = seen_from_afar();
+        const Vec3 up{0.0, 1.0, 0.0};
+        add_medium(scene, "Glass", geom::Cylinder{-up, up, 1.0}, 1.5, 2.0);
+        add_medium(scene, "Water", geom::Cylinder{-2.0 * up, 2.0 * up, 1.0 + 1e-9}, 1.33, 1.0);
+        add_medium(scene, "Ice", geom::Box{Vec3{-3.0}, Vec3{3.0}}, 1.31, 1.5);
+        CHECK(lints(check(scene)) == Lints{"hidden-solid"});
+    }
     CHECK(with_film(0.0).empty());
     CHECK(with_film(-1e-9).empty());  // the glass is outside then, all along
     CHECK(with_film(1e-3).empty());
