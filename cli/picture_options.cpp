@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/exit_code.hpp"
+#include "tracer/film.hpp"
 
 namespace meniscus::cli {
 namespace {
@@ -20,6 +23,18 @@ std::filesystem::path choose_path(const PictureOptions& options, const std::stri
                                   image::Format format) {
     if (!options.output.empty()) return options.output;
     return stem + (format == image::Format::exr ? ".exr" : ".png");
+}
+
+std::vector<std::string> choose_layers(const std::vector<std::string>& asked) {
+    const auto known = tracer::layer_names();
+    bool all = false;
+    for (const auto& name : asked) {
+        all |= name == "all";
+        if (name != "all" && std::ranges::find(known, name) == known.end())
+            throw UsageError(fmt::format("--layers: there is no '{}'; there are all, {}", name,
+                                         fmt::join(known, ", ")));
+    }
+    return all ? known : asked;
 }
 
 }  // namespace
@@ -47,9 +62,11 @@ void add_picture_options(CLI::App& app, PictureOptions& o) {
         ->type_name("ENCODING")
         ->group("Picture");
     app.add_flag("--half", o.half, "OpenEXR: colours as 16-bit floats")->group("Picture");
-    app.add_option("--layers", o.layers, "OpenEXR: the extra layers to add: all")
+    app.add_option(
+           "--layers", o.layers,
+           fmt::format("OpenEXR: the extra layers to add, with commas between: all, or of {}",
+                       fmt::join(tracer::layer_names(), ", ")))
         ->delimiter(',')
-        ->check(CLI::IsMember({"all"}))
         ->allow_extra_args(false)
         ->type_name("LIST")
         ->group("Picture");
@@ -67,7 +84,7 @@ PictureTarget make_target(const PictureOptions& options, const std::string& stem
     target.save.png.bits = options.bits.value_or(8);
     if (options.encoding == "linear") target.save.png.encoding = image::Encoding::linear;
     target.save.exr.half = options.half;
-    target.layers = !options.layers.empty();
+    target.layers = choose_layers(options.layers);
     return target;
 }
 

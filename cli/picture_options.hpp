@@ -17,7 +17,7 @@ struct PictureOptions {
     std::optional<int> bits;
     std::string encoding;  // empty: as the scene asks
     bool half = false;
-    std::vector<std::string> layers;
+    std::vector<std::string> layers;  // as given: "all" or names
 };
 
 void add_picture_options(CLI::App& app, PictureOptions& options);
@@ -25,7 +25,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options);
 struct PictureTarget {
     std::filesystem::path path;
     image::SaveOptions save;
-    bool layers = false;
+    std::vector<std::string> layers;  // each one's own name: no "all"
 };
 
 /// `stem` names the picture where the options do not. Throws `UsageError` for forms that do not go

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -57,11 +58,19 @@ image::Metadata make_metadata(const Report& report) {
     return metadata;
 }
 
+/// Leaves the layers that are asked for: "depth" means the channel "depth.Z".
+void keep_layers(image::Image& picture, const std::vector<std::string>& names) {
+    std::erase_if(picture.layers, [&](const image::Layer& layer) {
+        const auto name = layer.name.substr(0, layer.name.find('.'));
+        return std::ranges::find(names, name) == names.end();
+    });
+}
+
 ExitCode run(RenderOptions options) {
     resolve_depth(options);
     auto target = make_target(options.picture, options.scene.stem());
     auto tracer_options = make_tracer_options(options.tracer, options.scene);
-    tracer_options.layers = target.layers;
+    tracer_options.layers = !target.layers.empty();
     tracer_options.check_segments = options.strict;
     if (target.path == image::standard_stream && options.json == image::standard_stream)
         throw UsageError("the picture and --json cannot both go to standard output");
@@ -80,7 +89,8 @@ ExitCode run(RenderOptions options) {
     if (!options.quiet) tracer_options.progress = [&](double share) { progress.show(share); };
     const InterruptGuard interrupt;
     tracer_options.interrupted = &interrupt.flag();
-    const auto rendered = tracer::render(render_scene, tracer_options);
+    auto rendered = tracer::render(render_scene, tracer_options);
+    keep_layers(rendered.picture, target.layers);
     const auto render = stopwatch.lap();
     if (!options.quiet) progress.finish(!rendered.interrupted);
 

@@ -1,8 +1,32 @@
 #include "tracer/film.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace meniscus::tracer {
+namespace {
+
+/// One plane of an extra image layer.
+struct Channel {
+    std::string_view name;  // "N.X": of layer N
+    double (*value)(const Pixel& pixel);
+
+    std::string_view layer() const { return name.substr(0, name.find('.')); }
+};
+
+// To add a layer: write its channels here, side by side.
+constexpr auto channels = std::to_array<Channel>({
+    {"N.X", [](const Pixel& pixel) { return pixel.first_hit.normal.x; }},
+    {"N.Y", [](const Pixel& pixel) { return pixel.first_hit.normal.y; }},
+    {"N.Z", [](const Pixel& pixel) { return pixel.first_hit.normal.z; }},
+    {"Variance.Y", [](const Pixel& pixel) { return pixel.squared_error(); }},
+    {"depth.Z", [](const Pixel& pixel) { return pixel.first_hit.distance; }},
+    {"object.ID", [](const Pixel& pixel) { return double(pixel.first_hit.object); }},
+    {"samples.N", [](const Pixel& pixel) { return double(pixel.samples); }},
+});
+
+}  // namespace
 
 void Pixel::add(const scene::Rgb& light, double weight) {
     if (samples++ % 2 == 0) {
@@ -49,6 +73,15 @@ std::vector<double> Film::squared_errors() const {
     return result;
 }
 
+std::vector<std::string> layer_names() {
+    std::vector<std::string> names;
+    for (const Channel& channel : channels) {
+        const std::string name(channel.layer());
+        if (names.empty() || names.back() != name) names.push_back(name);
+    }
+    return names;
+}
+
 image::Image Film::develop(bool layers) const {
     image::Image picture(width(), height());
     picture.x0 = region_.x0;
@@ -60,19 +93,12 @@ image::Image Film::develop(bool layers) const {
         for (int c = 0; c < 3; ++c) picture.rgb[3 * i + c] = float(mean[c]);
     }
     if (!layers) return picture;
-    const auto add_layer = [&](const char* name, auto&& value_of) {
-        image::Layer layer{name, {}};
+    for (const Channel& channel : channels) {
+        image::Layer layer{std::string(channel.name), {}};
         layer.values.reserve(pixels_.size());
-        for (const Pixel& pixel : pixels_) layer.values.push_back(float(value_of(pixel)));
+        for (const Pixel& pixel : pixels_) layer.values.push_back(float(channel.value(pixel)));
         picture.layers.push_back(std::move(layer));
-    };
-    add_layer("N.X", [](const Pixel& pixel) { return pixel.first_hit.normal.x; });
-    add_layer("N.Y", [](const Pixel& pixel) { return pixel.first_hit.normal.y; });
-    add_layer("N.Z", [](const Pixel& pixel) { return pixel.first_hit.normal.z; });
-    add_layer("Variance.Y", [](const Pixel& pixel) { return pixel.squared_error(); });
-    add_layer("depth.Z", [](const Pixel& pixel) { return pixel.first_hit.distance; });
-    add_layer("object.ID", [](const Pixel& pixel) { return pixel.first_hit.object; });
-    add_layer("samples.N", [](const Pixel& pixel) { return pixel.samples; });
+    }
     return picture;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "image/image.hpp"
@@ -21,6 +22,10 @@ struct Pixel {
     /// Squared standard error of the mean, averaged over the channels, as the two halves show it.
     double squared_error() const;
 };
+
+/// What the extra image layers are called: "depth" stands for the channel "depth.Z", "N" for the
+/// three of the normal.
+std::vector<std::string> layer_names();
 
 /// The window of a picture that is being rendered.
 class Film {

@@ -38,6 +38,24 @@ TEST_CASE("EXR holds what PNG rounds", "[cli]") {
         CHECK_THAT(png.rgb[i], Catch::WithinAbs(std::min(exr.rgb[i], 1.0f), 2e-5));
 }
 
+TEST_CASE("option --layers adds the layers that it names, and no other", "[cli]") {
+    const Program program;
+    const auto names = [&](const std::string& list) {
+        CHECK(program.run("render ball.scene -o a.exr --layers " + list + small).exit_code == 0);
+        std::vector<std::string> result;
+        for (const auto& layer : image::load(program.path("a.exr")).layers)
+            result.push_back(layer.name);
+        return result;
+    };
+    using Names = std::vector<std::string>;
+    CHECK(names("depth") == Names{"depth.Z"});
+    CHECK(names("object,N") == Names{"N.X", "N.Y", "N.Z", "object.ID"});
+    CHECK(names("depth,all").size() == names("N,Variance,depth,object,samples").size());
+    const auto refused = program.run("render ball.scene -o a.exr --layers depth,odd" + small);
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Catch::Contains("'odd'") && Catch::Contains("N, Variance, depth"));
+}
+
 TEST_CASE("option --depth 16 is --bits 16 where no tree has a depth", "[cli]") {
     const Program program;
     program.run("render ball.scene -o a.png --depth 16" + small);
