@@ -110,4 +110,21 @@ Image decode_exr(std::string_view bytes) {
     return image;
 }
 
+ExrHeader decode_exr_header(std::string_view bytes) {
+    Imf::StdISStream stream;
+    stream.str(std::string(bytes));
+    const Imf::InputFile file(stream, 0);
+    const auto& header = file.header();
+    ExrHeader result;
+    for (const char* name : {"R", "G", "B", "Y"}) {
+        const auto* channel = header.channels().findChannel(name);
+        result.half = result.half || (channel && channel->type == Imf::HALF);
+    }
+    for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
+        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
+        if (text) result.metadata[attribute.name()] = text->value();
+    }
+    return result;
+}
+
 }  // namespace meniscus::image

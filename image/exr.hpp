@@ -17,4 +17,11 @@ std::string encode_exr(const Image& image, const ExrOptions& options, const Meta
 /// Channels R, G, B (or Y alone) are the colours, all others layers.
 Image decode_exr(std::string_view bytes);
 
+/// What stands before the pixels.
+struct ExrHeader {
+    bool half = false;  // some colour is in 16-bit floats
+    Metadata metadata;
+};
+ExrHeader decode_exr_header(std::string_view bytes);
+
 }  // namespace meniscus::image

@@ -125,6 +125,8 @@ struct Header {
     png_uint_32 width = 0, height = 0;
     int bits = 0;
     double file_gamma = 0.0;  // 0: sRGB
+    png_textp texts = nullptr;
+    int text_count = 0;
 };
 
 bool read_header(ReadHandle& handle, Header& header) {
@@ -134,6 +136,7 @@ bool read_header(ReadHandle& handle, Header& header) {
     png_read_info(png, info);
     int intent;
     if (!png_get_sRGB(png, info, &intent)) png_get_gAMA(png, info, &header.file_gamma);
+    png_get_text(png, info, &header.texts, &header.text_count);
     png_set_expand(png);
     png_set_strip_alpha(png);
     png_set_gray_to_rgb(png);
@@ -196,6 +199,18 @@ Image decode_png(std::string_view bytes) {
         image.rgb[i] = table[bytes_each == 2 ? value[0] << 8 | value[1] : value[0]];
     }
     return image;
+}
+
+PngHeader decode_png_header(std::string_view bytes) {
+    Stream stream;
+    stream.unread = bytes;
+    ReadHandle handle{stream};
+    Header header;
+    if (!read_header(handle, header)) throw std::runtime_error("not a PNG file: " + stream.error);
+    PngHeader result{.bits = header.bits, .metadata = {}};
+    for (int i = 0; i < header.text_count; ++i)
+        result.metadata[header.texts[i].key] = header.texts[i].text;
+    return result;
 }
 
 }  // namespace meniscus::image

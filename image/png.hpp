@@ -21,4 +21,11 @@ std::string encode_png(const Image& image, const PngOptions& options, const Meta
 /// is ignored.
 Image decode_png(std::string_view bytes);
 
+/// What stands before the pixels.
+struct PngHeader {
+    int bits = 8;  // a channel
+    Metadata metadata;
+};
+PngHeader decode_png_header(std::string_view bytes);
+
 }  // namespace meniscus::image

@@ -21,11 +21,19 @@ void save(const Image& image, const std::filesystem::path& path, const SaveOptio
                                                    : encode_png(image, options.png, metadata));
 }
 
-Image load(const std::filesystem::path& path) {
+Image load(const std::filesystem::path& path) { return load_with_header(path).image; }
+
+Loaded load_with_header(const std::filesystem::path& path) {
     const auto bytes = read_file(path);
     try {
-        if (bytes.starts_with("\x89PNG")) return decode_png(bytes);
-        if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes);
+        if (bytes.starts_with("\x89PNG")) {
+            const auto header = decode_png_header(bytes);
+            return {decode_png(bytes), Format::png, header.bits, header.metadata};
+        }
+        if (bytes.starts_with("\x76\x2f\x31\x01")) {
+            const auto header = decode_exr_header(bytes);
+            return {decode_exr(bytes), Format::exr, header.half ? 16 : 32, header.metadata};
+        }
     } catch (const std::exception& error) {
         throw FileError(path, error.what());
     }

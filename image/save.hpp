@@ -28,4 +28,13 @@ void save(const Image& image, const std::filesystem::path& path, const SaveOptio
 /// A PNG or EXR file, told apart by what is in it, as linear values.
 Image load(const std::filesystem::path& path);
 
+/// A picture with what its file says of itself.
+struct Loaded {
+    Image image;
+    Format format = Format::png;
+    int bits = 8;  // a channel: 8 and 16 of integers, 16 and 32 of floats
+    Metadata metadata;
+};
+Loaded load_with_header(const std::filesystem::path& path);
+
 }  // namespace meniscus::image

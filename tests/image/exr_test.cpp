@@ -68,3 +68,12 @@ TEST_CASE("EXR carries its metadata, and equal pictures give equal bytes", "[ima
     CHECK_THAT(bytes, Catch::Contains("Scene") && Catch::Contains("glass"));
     CHECK(encode_exr(hard_values(), {}, metadata) == bytes);
 }
+
+TEST_CASE("an EXR's header tells its floats and its metadata", "[image]") {
+    for (const bool half : {false, true}) {
+        const auto header = decode_exr_header(
+            encode_exr(hard_values(), {.half = half}, {{"Scene", "glass.scene"}}));
+        CHECK(header.half == half);
+        CHECK(header.metadata.at("Scene") == "glass.scene");
+    }
+}

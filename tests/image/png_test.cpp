@@ -79,3 +79,10 @@ TEST_CASE("a picture too large for PNG is refused", "[image]") {
     part.full_height = 1;
     CHECK_THROWS_WITH(encode_png(part, {}, {}), Catch::Contains("PNG"));
 }
+
+TEST_CASE("a PNG's header tells its bits and its metadata", "[image]") {
+    const auto header =
+        decode_png_header(encode_png(Image(2, 2), {.bits = 16}, {{"Scene", "glass.scene"}}));
+    CHECK(header.bits == 16);
+    CHECK(header.metadata == Metadata{{"Scene", "glass.scene"}});
+}
