@@ -22,6 +22,7 @@ constexpr auto channels = std::to_array<Channel>({
     {"N.Z", [](const Pixel& pixel) { return pixel.first_hit.normal.z; }},
     {"Variance.Y", [](const Pixel& pixel) { return pixel.squared_error(); }},
     {"depth.Z", [](const Pixel& pixel) { return pixel.first_hit.distance; }},
+    {"medium.ID", [](const Pixel& pixel) { return double(pixel.first_hit.medium); }},
     {"object.ID", [](const Pixel& pixel) { return double(pixel.first_hit.object); }},
     {"samples.N", [](const Pixel& pixel) { return double(pixel.samples); }},
 });

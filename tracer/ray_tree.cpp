@@ -132,7 +132,9 @@ void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
             continue;
         }
         if (pending.level == 1 && first_hit.object < 0) {
-            first_hit = {way, event->normal, scene_.parts[event->part].object};
+            const Part& part = scene_.parts[event->part];
+            first_hit = {way, event->normal, part.object,
+                         part.is_opaque ? outside : event->solid_after};
         }
         if (around.attenuates()) pending.throughput *= transmittance(around, way);
         if (texture.clear) {

@@ -36,6 +36,7 @@ struct FirstHit {
     double distance = 0.0;  // 0: nothing
     geom::Vec3 normal{0.0};
     int object = -1;
+    int medium = outside;  // the solid whose medium lies behind it
 };
 
 /// Follows ray trees: scene to light along one camera ray. One for each thread.

@@ -50,7 +50,7 @@ TEST_CASE("option --layers adds the layers that it names, and no other", "[cli]"
     using Names = std::vector<std::string>;
     CHECK(names("depth") == Names{"depth.Z"});
     CHECK(names("object,N") == Names{"N.X", "N.Y", "N.Z", "object.ID"});
-    CHECK(names("depth,all").size() == names("N,Variance,depth,object,samples").size());
+    CHECK(names("depth,all").size() == names("N,Variance,depth,medium,object,samples").size());
     const auto refused = program.run("render ball.scene -o a.exr --layers depth,odd" + small);
     CHECK(refused.exit_code == 2);
     CHECK_THAT(refused.err, Catch::Contains("'odd'") && Catch::Contains("N, Variance, depth"));
