@@ -17,5 +17,6 @@ struct Command {
 Command make_render_command(CLI::App& app);
 Command make_check_command(CLI::App& app);
 Command make_inspect_command(CLI::App& app);
+Command make_compare_command(CLI::App& app);
 
 }  // namespace meniscus::cli

@@ -14,8 +14,10 @@
 #include "cli/interrupt.hpp"
 #include "cli/povray_spelling.hpp"
 #include "cli/version.hpp"
+#include "compare/comparison.hpp"
 #include "image/file.hpp"
 #include "lang/diagnostic.hpp"
+#include "povray/run.hpp"
 
 namespace {
 
@@ -52,6 +54,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
         cli::make_render_command(app),
         cli::make_check_command(app),
         cli::make_inspect_command(app),
+        cli::make_compare_command(app),
     };
     auto words = cli::translate_povray_spellings(arguments);
     check_command(words, commands);
@@ -82,6 +85,15 @@ ExitCode run_and_report(const std::vector<std::string>& arguments) {
     } catch (const image::FileError& error) {
         cli::print_error(error.what());
         return ExitCode::file_failed;
+    } catch (const compare::Mismatch& error) {
+        cli::print_error(error.what());
+        return ExitCode::wrong_input;
+    } catch (const povray::NotInstalled& error) {
+        cli::print_error(error.what());
+        return ExitCode::file_failed;
+    } catch (const povray::RunFailed& error) {
+        cli::print_error(error.what());
+        return ExitCode::wrong_input;
     } catch (const std::bad_alloc&) {
         cli::print_error("there is not enough memory for this picture or scene");
         return ExitCode::wrong_input;

@@ -55,10 +55,14 @@ std::string SceneOptions::stem() const {
 }
 
 void add_scene_options(CLI::App& app, SceneOptions& o) {
-    const auto last = CLI::MultiOptionPolicy::TakeLast;
     app.add_option("SCENE", o.scene, "The scene file; - is standard input")
         ->required()
         ->type_name("");
+    add_scene_settings(app, o);
+}
+
+void add_scene_settings(CLI::App& app, SceneOptions& o) {
+    const auto last = CLI::MultiOptionPolicy::TakeLast;
     app.add_option("-W,--width", o.width, "Pixels in a row")
         ->check(CLI::Range(1, 65536))
         ->multi_option_policy(last)

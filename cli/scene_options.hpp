@@ -22,6 +22,8 @@ struct SceneOptions {
 };
 
 void add_scene_options(CLI::App& app, SceneOptions& options);
+/// The same without the scene itself.
+void add_scene_settings(CLI::App& app, SceneOptions& options);
 
 /// What #debug and the like print goes to standard error; the warnings are the caller's to print.
 lang::Interpreted interpret_scene(const SceneOptions& options);

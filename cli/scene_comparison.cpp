@@ -1,0 +1,169 @@
+#include "cli/scene_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/shell_words.hpp"
+#include "compare/ray_tree_regions.hpp"
+#include "inspect/diagram.hpp"
+#include "inspect/text_report.hpp"
+#include "povray/run.hpp"
+#include "tracer/render.hpp"
+
+namespace meniscus::cli {
+namespace {
+
+using compare::Explanation;
+using compare::Side;
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+std::string seconds_fact(const std::vector<double>& seconds) {
+    return fmt::format(
+        "{:.3f}{}", median(seconds),
+        seconds.size() > 1 ? fmt::format(" (median of {} runs)", seconds.size()) : "");
+}
+
+/// The options that say which picture of a scene it is.
+std::vector<std::string> picture_words(const SceneOptions& options) {
+    std::vector<std::string> words = {"-W", std::to_string(options.width), "-H",
+                                      std::to_string(options.height)};
+    for (const auto& declaration : options.declarations)
+        words.insert(words.end(), {"--declare", declaration});
+    for (const auto& path : options.library_paths) words.insert(words.end(), {"-L", path});
+    return words;
+}
+
+std::string meniscus_line(std::vector<std::string> words, const SceneOptions& options) {
+    words.insert(words.begin(), "meniscus");
+    const auto picture = picture_words(options);
+    words.insert(words.end(), picture.begin(), picture.end());
+    return command_line(words);
+}
+
+struct PovRaySide {
+    Side side;
+    std::vector<std::string> command;
+};
+
+PovRaySide render_by_povray(const SceneComparisonOptions& options) {
+    povray::RunOptions run{.width = options.scene.width,
+                           .height = options.scene.height,
+                           .declares = {},
+                           .library_paths = {}};
+    for (const auto& declaration : options.scene.declarations) {
+        const auto equals = declaration.find('=');
+        run.declares.emplace_back(declaration.substr(0, equals), declaration.substr(equals + 1));
+    }
+    for (const auto& path : options.scene.library_paths) run.library_paths.emplace_back(path);
+
+    const auto& file = options.reference.empty() ? options.scene.scene : options.reference;
+    std::vector<double> seconds;
+    povray::Run result;
+    for (int i = 0; i < options.runs; ++i) {
+        result = povray::run(file, run);
+        seconds.push_back(result.cpu_seconds);
+    }
+    // The picture was taken from standard output; whoever repeats it wants a file.
+    std::ranges::replace(result.command, "+O-", "+Opovray.ppm");
+    PovRaySide povray{
+        {.name = "POV-Ray",
+         .picture = std::move(result.picture),
+         .facts = {{"scene", file}, {"CPU seconds of the trace stage", seconds_fact(seconds)}},
+         .command = command_line(result.command)},
+        result.command};
+    for (const auto& warning : result.warnings) povray.side.facts.emplace_back("warning", warning);
+    return povray;
+}
+
+Side render_by_meniscus(const SceneComparisonOptions& options, const tracer::RenderScene& scene,
+                        const tracer::Options& tracer_options) {
+    std::vector<double> seconds;
+    tracer::Rendered rendered;
+    for (int i = 0; i < options.runs; ++i) {
+        rendered = tracer::render(scene, tracer_options);
+        seconds.push_back(rendered.cpu_seconds);
+    }
+    return {
+        .name = "Meniscus",
+        .picture = std::move(rendered.picture),
+        .facts = {{"scene", options.scene.scene},
+                  {"CPU seconds of the trace stage", seconds_fact(seconds)},
+                  {"leaks", std::to_string(rendered.statistics.leaks)}},
+        .command = meniscus_line(
+            {"render", options.scene.scene, "--spp", "1", "-o", "meniscus.exr"}, options.scene)};
+}
+
+/// Only the one pixel. Its numbers count from 1, and an end of 1 would mean the whole side.
+std::string povray_pixel_line(std::vector<std::string> command, int x, int y) {
+    command.insert(command.end(),
+                   {fmt::format("+SC{}", x + 1), fmt::format("+EC{}", std::max(x + 1, 2)),
+                    fmt::format("+SR{}", y + 1), fmt::format("+ER{}", std::max(y + 1, 2))});
+    return command_line(command);
+}
+
+std::vector<Explanation> explain(const SceneComparisonOptions& options,
+                                 const tracer::RenderScene& scene,
+                                 const tracer::Options& tracer_options,
+                                 const compare::Comparison& comparison,
+                                 const std::vector<std::string>& povray_command) {
+    const inspect::Names names(scene.source);
+    std::vector<Explanation> explanations;
+    for (const auto& pixel : comparison.worst) {
+        const auto trace = inspect::trace_pixel(scene, names, tracer_options, pixel.x, pixel.y);
+        explanations.push_back({pixel.x,
+                                pixel.y,
+                                inspect::format_text(scene, names, trace),
+                                inspect::draw_diagram(scene, names, trace),
+                                {{"This pixel's ray tree again:",
+                                  meniscus_line({"inspect", options.scene.scene,
+                                                 std::to_string(pixel.x), std::to_string(pixel.y)},
+                                                options.scene)},
+                                 {"This pixel alone by POV-Ray:",
+                                  povray_pixel_line(povray_command, pixel.x, pixel.y)}}});
+    }
+    return explanations;
+}
+
+}  // namespace
+
+SceneComparison compare_scene(const SceneComparisonOptions& given) {
+    // Where both read one file, `#ifdef (Meniscus)` in it tells them apart.
+    auto options = given;
+    if (options.reference.empty()) options.scene.declarations.emplace_back("Meniscus=1");
+    const auto scene = tracer::compile(read_scene(options.scene).scene);
+    tracer::Options tracer_options;
+    tracer_options.width = options.scene.width;
+    tracer_options.height = options.scene.height;
+    tracer_options.sampling = tracer::GridSampling{1};
+    tracer_options.tree = tracer::Tree::whitted;
+    tracer_options.threads = 1;  // for its time to be beside POV-Ray's of one thread
+
+    auto povray = render_by_povray(given);
+    auto ours = render_by_meniscus(options, scene, tracer_options);
+    auto regions = compare::regions_by_ray_trees(scene, tracer_options, ours.picture);
+    auto settings = options.settings;
+    settings.clip = true;  // as POV-Ray's picture is
+
+    SceneComparison result{
+        compare::compare(std::move(povray.side), std::move(ours), settings, std::move(regions)),
+        {}};
+    result.words.settings = {
+        {"picture", fmt::format("{} x {} pixel centres, values in linear light clipped to [0, 1]",
+                                options.scene.width, options.scene.height)},
+        {"ray tree",
+         "whitted: max_trace_level and adc_bailout of the scene, with POV-Ray's meaning"}};
+    result.words.commands = {{"POV-Ray's picture:", result.comparison.reference.command},
+                             {"Meniscus' picture:", result.comparison.picture.command}};
+    if (options.explain)
+        result.words.explanations =
+            explain(options, scene, tracer_options, result.comparison, povray.command);
+    return result;
+}
+
+}  // namespace meniscus::cli

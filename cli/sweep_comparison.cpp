@@ -1,0 +1,97 @@
+#include "cli/sweep_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/exit_code.hpp"
+#include "cli/validators.hpp"
+#include "povray/run.hpp"
+#include "tracer/render.hpp"
+
+namespace meniscus::cli {
+namespace {
+
+tracer::Rendered render(const SceneOptions& options) {
+    tracer::Options tracer_options;
+    tracer_options.width = options.width;
+    tracer_options.height = options.height;
+    tracer_options.sampling = tracer::GridSampling{1};
+    tracer_options.threads = 1;
+    return tracer::render(tracer::compile(read_scene(options).scene), tracer_options);
+}
+
+/// As POV-Ray's picture is.
+image::Image clipped(image::Image picture) {
+    for (float& value : picture.rgb) value = std::clamp(value, 0.0f, 1.0f);
+    return picture;
+}
+
+compare::SweepRow measure_gap(const SweepOptions& options, double gap,
+                              const image::Image& contact) {
+    const auto text = fmt::format("{}", gap);
+    auto gapped = options.scene;
+    gapped.scene = options.gapped;
+    gapped.declarations.push_back("Gap=" + text);
+    gapped.declarations.emplace_back("Meniscus=1");
+    const auto ours = render(gapped);
+    const auto film = clipped(ours.picture);
+
+    compare::SweepRow row;
+    row.gap = gap;
+    row.meniscus = compare::measure(contact, film, options.threshold);
+    row.meniscus_seconds = ours.cpu_seconds;
+    try {
+        const auto theirs = povray::run(options.gapped, {.width = gapped.width,
+                                                         .height = gapped.height,
+                                                         .declares = {{"Gap", text}},
+                                                         .library_paths = {}});
+        row.film = compare::measure(film, theirs.picture, options.threshold);
+        row.povray = compare::measure(contact, theirs.picture, options.threshold);
+        row.povray_seconds = theirs.cpu_seconds;
+    } catch (const povray::RunFailed& error) {
+        row.failure = error.what();
+    }
+    return row;
+}
+
+}  // namespace
+
+std::vector<double> parse_gaps(const std::string& text) {
+    std::vector<double> numbers;
+    std::string_view rest = text;
+    while (true) {
+        const auto colon = rest.find(':');
+        const auto number = parse_number(rest.substr(0, colon));
+        if (!number || *number <= 0.0) break;
+        numbers.push_back(*number);
+        if (colon == rest.npos) {
+            if (numbers.size() == 2) return compare::logarithmic_steps(numbers[0], numbers[1], 1);
+            const int per_decade = numbers.size() == 3 ? int(numbers[2]) : 0;
+            if (per_decade < 1 || per_decade != numbers[2] || per_decade > 100) break;
+            return compare::logarithmic_steps(numbers[0], numbers[1], per_decade);
+        }
+        rest.remove_prefix(colon + 1);
+    }
+    throw UsageError(
+        fmt::format("--sweep-gap '{}': it must be as 1e-1:1e-9, or 1e-1:1e-9:2 for two "
+                    "steps a decade",
+                    text));
+}
+
+compare::Sweep sweep_gaps(const SweepOptions& options) {
+    const auto contact = clipped(render(options.scene).picture);
+    compare::Sweep sweep{
+        fmt::format("{} with a gap, {} x {} pixel centres", options.scene.file_name(),
+                    options.scene.width, options.scene.height),
+        {}};
+    auto gaps = options.gaps;
+    gaps.push_back(0.0);
+    for (const double gap : gaps) {
+        fmt::print(stderr, "gap {:g}\n", gap);
+        sweep.rows.push_back(measure_gap(options, gap, contact));
+    }
+    return sweep;
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/scene_options.hpp"
+#include "compare/sweep.hpp"
+
+namespace meniscus::cli {
+
+struct SweepOptions {
+    SceneOptions scene;  // the solids in contact: the truth
+    std::string gapped;  // the same with a gap of `Gap`, for POV-Ray and for Meniscus
+    std::vector<double> gaps;
+    double threshold = 0.01;
+};
+
+/// "1e-1:1e-9", or "1e-1:1e-9:2" for two steps a decade. Throws `UsageError`.
+std::vector<double> parse_gaps(const std::string& text);
+
+/// Renders all gaps and no gap (0) by both. Prints a line of progress for each to standard error.
+compare::Sweep sweep_gaps(const SweepOptions& options);
+
+}  // namespace meniscus::cli

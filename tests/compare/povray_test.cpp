@@ -1,0 +1,96 @@
+#include <array>
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.hpp"
+
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+/// Both renderers read it.
+constexpr auto glass_ball = R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 20 adc_bailout 1e-4 }
+camera { location <0, 0, -4> look_at 0 right x * image_width / image_height }
+background { color rgb <0.2, 0.5, 0.9> }
+plane { y, -1.5 pigment { checker color rgb 0.9 color rgb 0.2 } finish { ambient 1 diffuse 0 } }
+sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 1 fresnel } conserve_energy } interior { ior Ior } }
+)";
+
+}  // namespace
+
+TEST_CASE("compare measures a scene against POV-Ray's picture of it", "[compare]") {
+    const Program program;
+    program.write("ball.pov", glass_ball);
+    const auto result = program.run(
+        "compare ball.pov -W 80 -H 60 --declare Ior=1.5 --json - --report r.html --tolerance 1e-4");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const auto comparison = Json::parse(result.out).at("comparisons").at(0);
+    // POV-Ray's values come in steps of 1/65535.
+    CHECK(comparison.at("all").at("rmse") < 1e-4);
+    // The ball's disc has a radius of 60 * tan(asin(1/4)) = 15.5 pixels; the checks seen in it are
+    // edges.
+    CHECK(comparison.at("regions").at("inside glass").at("pixels") > 100);
+    CHECK(comparison.at("regions").at("inside glass").at("pixels") < 755);
+    CHECK(comparison.at("reference").at("name") == "POV-Ray");
+    CHECK_THAT(comparison.at("reference").at("command").get<std::string>(),
+               Contains("povray") && Contains("Declare=Ior=1.5") && Contains("+W80"));
+    CHECK(comparison.at("reference").at("facts").contains("CPU seconds of the trace stage"));
+    CHECK_THAT(program.read("r.html"), Contains("meniscus inspect ball.pov") && Contains("+SC"));
+}
+
+TEST_CASE("compare takes another source for POV-Ray and sees the difference", "[compare]") {
+    const Program program;
+    program.write("ball.pov", glass_ball);
+    program.write("other.pov", "#declare Ior = 1.6;\n" + std::string(glass_ball));
+    const auto result =
+        program.run("compare ball.scene --povray other.pov -W 40 -H 30 --tolerance 1e-3");
+    INFO(result.err);
+    CHECK(result.exit_code == 4);
+}
+
+TEST_CASE("compare passes POV-Ray's own words on", "[compare]") {
+    const Program program;
+    program.write("bad.pov", "sphere { 0, 1 nonsense }\n");
+    const auto result = program.run("compare ball.scene --povray bad.pov -W 8 -H 6");
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("POV-Ray does not render bad.pov") && Contains("nonsense"));
+}
+
+TEST_CASE("a sweep finds where POV-Ray's gap breaks and Meniscus' does not", "[compare]") {
+    const Program program;
+    const std::string scenes = SCENES_FOLDER;
+    const auto result =
+        program.run("compare " + scenes + "/glass.scene --povray " + scenes +
+                    "/glass_with_a_gap.pov -W 48 -H 36 --sweep-gap 1e-2:1e-6 --csv s.csv "
+                    "--svg s.svg --markdown s.md");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    // gap -> POV-Ray against the film, against contact; Meniscus against contact.
+    std::istringstream csv(program.read("s.csv"));
+    std::map<double, std::array<double, 3>> rmse;
+    std::string line;
+    std::getline(csv, line);
+    while (std::getline(csv, line)) {
+        std::array<double, 9> cells{};
+        std::istringstream words(line);
+        for (double& cell : cells) {
+            words >> cell;
+            words.get();
+        }
+        rmse[cells[0]] = {cells[1], cells[3], cells[5]};
+    }
+    REQUIRE(rmse.size() == 6);
+    // POV-Ray ignores hits nearer than 1e-4: a wider film it renders, a thinner one it misses.
+    CHECK(rmse.at(1e-2)[0] < 0.02);
+    CHECK(rmse.at(1e-6)[0] > 3.0 * rmse.at(1e-2)[0]);
+    // A film of air is another picture than contact, however thin; no film is contact itself.
+    CHECK(rmse.at(1e-6)[2] > 0.02);
+    CHECK(rmse.at(0.0)[2] < 1e-6);
+    CHECK_THAT(program.read("s.svg"), Contains("<svg"));
+    CHECK_THAT(program.read("s.md"), Contains("| 1e-06 |"));
+}

@@ -1,0 +1,59 @@
+#include "compare/ray_tree_regions.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lang/interpret.hpp"
+#include "tracer/render.hpp"
+
+using namespace meniscus;
+
+namespace {
+
+/// 40 x 40 pixels over [-2, 2] x [-2, 2].
+compare::Regions regions(const std::string& objects) {
+    const auto scene = tracer::compile(lang::interpret_text("test.scene", R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 1e-4 }
+camera { orthographic location <0, 0, -5> look_at 0 right 4*x up 4*y }
+background { color rgb 0.5 }
+)" + objects,
+                                                            {})
+                                           .scene);
+    tracer::Options options;
+    options.width = options.height = 40;
+    options.sampling = tracer::GridSampling{1};
+    return compare::regions_by_ray_trees(scene, options, tracer::render(scene, options).picture);
+}
+
+enum { inside, outside, edges };
+
+bool is(const compare::Regions& regions, int part, int x, int y) {
+    return regions.parts[std::size_t(part)].pixels[std::size_t(y) * 40 + std::size_t(x)];
+}
+
+}  // namespace
+
+TEST_CASE("glass that is as bright as its surroundings has an inside and an edge", "[compare]") {
+    const auto seen = regions("sphere { 0, 1 material { ior 1.1 } }\n");
+    CHECK(is(seen, inside, 20, 20));
+    CHECK(is(seen, outside, 2, 2));
+    // The silhouette crosses row 20 at column 10: the first pixel whose centre is within radius 1.
+    CHECK(is(seen, edges, 9, 20));
+    CHECK(is(seen, edges, 10, 20));
+    CHECK_FALSE(is(seen, edges, 8, 20));
+}
+
+TEST_CASE("an edge behind a surface of glass is an edge", "[compare]") {
+    // A slab of glass; behind it a slab of water in its left half. Neither changes a colour by 0.1.
+    const auto seen = regions(
+        "box { <-3, -3, 0>, <3, 3, 1> material { ior 1.5 } }\n"
+        "box { <-3, -3, 2>, <0, 3, 3> material { ior 1.33 } }\n");
+    CHECK(is(seen, inside, 5, 20));
+    CHECK(is(seen, inside, 35, 20));
+    CHECK(is(seen, edges, 19, 20));
+    CHECK(is(seen, edges, 20, 20));
+}
+
+TEST_CASE("an opaque object is outside", "[compare]") {
+    const auto seen = regions("sphere { 0, 1 pigment { color rgb 0.5 } }\n");
+    CHECK(is(seen, outside, 20, 20));
+}

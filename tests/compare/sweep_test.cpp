@@ -1,0 +1,46 @@
+#include "compare/sweep.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace meniscus::compare;
+using Catch::Contains;
+
+namespace {
+
+Metrics metrics(double rmse) {
+    Metrics result;
+    result.pixels = 100;
+    result.off = 25;
+    result.rmse = rmse;
+    return result;
+}
+
+Sweep sweep() {
+    return {"A glass",
+            {{1e-1, metrics(0.2), metrics(0.3), metrics(0.4), 1.5, 0.5, ""},
+             {1e-2, std::nullopt, std::nullopt, metrics(0.1), 0.0, 0.25, "it broke"},
+             {0.0, metrics(0.02), metrics(0.03), metrics(0.0), 1.0, 0.5, ""}}};
+}
+
+}  // namespace
+
+TEST_CASE("steps are powers of ten to the last digit", "[compare]") {
+    CHECK(logarithmic_steps(1e-1, 1e-4, 1) == std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4});
+    CHECK(logarithmic_steps(1e-1, 1e-2, 2).size() == 3);
+    CHECK(logarithmic_steps(1.0, 1e-2, 2)[1] == Approx(0.316227766));
+    CHECK(logarithmic_steps(1e-4, 1e-1, 1).back() == 1e-1);
+}
+
+TEST_CASE("a sweep is a table for people and for programs", "[compare]") {
+    CHECK_THAT(format_csv(sweep()), Contains("0.1,0.2,0.25,0.3,0.25,0.4,0.25,1.5,0.5\n") &&
+                                        Contains("0.01,,,,,0.1,0.25,0,0.25\n"));
+    CHECK_THAT(format_text(sweep()), Contains("no picture") && Contains("it broke"));
+    CHECK_THAT(format_markdown(sweep()), Contains("| 0.1 | 2.00e-01 (25.00 %) |"));
+}
+
+TEST_CASE("a plot shows what is there, and no gap of 0", "[compare]") {
+    const auto plot = make_plot(sweep());
+    REQUIRE(plot.series.size() == 3);
+    CHECK(plot.series[0].points.size() == 1);
+    CHECK(plot.series[2].points.size() == 2);
+}
