@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/scene_options.hpp"
@@ -22,16 +23,21 @@ struct InspectOptions {
     bool json = false;
 };
 
-/// The choices of an option by their own names.
+/// The choices of an option by their own names; CLI11 takes their numbers.
 template <class Choice>
-CLI::CheckedTransformer one_of(std::initializer_list<Choice> choices) {
-    std::map<std::string, Choice> names;
-    for (const Choice choice : choices) names[std::string(tracer::name(choice))] = choice;
-    CLI::CheckedTransformer transformer(names);
-    std::string known;
-    for (const auto& [name, choice] : names) known += (known.empty() ? "" : "|") + name;
-    transformer.description("{" + known + "}");
-    return transformer;
+CLI::Validator one_of(std::vector<Choice> choices) {
+    std::vector<std::string> names;
+    for (const Choice choice : choices) names.emplace_back(tracer::name(choice));
+    const auto known = fmt::format("{}", fmt::join(names, ", "));
+    return {[choices, known](std::string& text) -> std::string {
+                for (const Choice choice : choices) {
+                    if (text != tracer::name(choice)) continue;
+                    text = std::to_string(int(choice));
+                    return {};
+                }
+                return fmt::format("'{}' is not one of {}", text, known);
+            },
+            fmt::format("{{{}}}", fmt::join(names, "|"))};
 }
 
 ExitCode run(InspectOptions options) {
@@ -79,11 +85,11 @@ Command make_inspect_command(CLI::App& app) {
     using enum tracer::Tree;
     using enum tracer::InteriorMode;
     command->add_option("--tree", o.tree, "Branches of the ray tree; default: whitted")
-        ->transform(one_of({whitted, full, sampled}))
+        ->transform(one_of(std::vector{whitted, full, sampled}))
         ->type_name("TREE")
         ->group("Light");
     command->add_option("--interior", o.interior, "How a ray knows where it is; default: sweep")
-        ->transform(one_of({sweep, recast, off}))
+        ->transform(one_of(std::vector{sweep, recast, off}))
         ->type_name("MODE")
         ->group("Light");
     command->add_option("--depth", o.depth, "--tree full or sampled: segments of a path")

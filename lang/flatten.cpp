@@ -8,6 +8,7 @@
 
 #include "lang/evaluate.hpp"
 #include "lang/extent.hpp"
+#include "lang/read_mesh.hpp"
 #include "lang/read_transform.hpp"
 
 namespace meniscus::lang {
@@ -122,7 +123,10 @@ public:
             if (object.inverse) throw refuse({"inverse on a union", object.span, {}});
             for (const auto& member : group->members) add(*member, from);
         } else {
-            add_shape(object, std::get<geom::Shape>(object.body), from);
+            const auto* file = std::get_if<MeshFile>(&object.body);
+            add_shape(object,
+                      file ? load_mesh_file(session_, *file) : std::get<geom::Shape>(object.body),
+                      from);
         }
     }
 

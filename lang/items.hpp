@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,10 +105,17 @@ struct Union {
     std::vector<std::shared_ptr<const ObjectItem>> members;
 };
 
+/// A mesh whose triangles are in a file, which is loaded when the mesh enters the scene.
+struct MeshFile {
+    std::string name;  // as written
+    std::filesystem::path path;
+    Span span;
+};
+
 /// A shape, a union or a light, with what was said about it so far. A texture's transform is part
 /// of the texture.
 struct ObjectItem {
-    std::variant<geom::Shape, Union, LightItem, Refusal> body;
+    std::variant<geom::Shape, MeshFile, Union, LightItem, Refusal> body;
     std::string keyword;  // as written: "sphere"
     std::string name;     // of the declaration it came from
     Span span;

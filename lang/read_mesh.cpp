@@ -49,7 +49,7 @@ void read_triangle(Cursor& cursor, TriangleSoup& soup, const Span& span) {
     (void)span;
 }
 
-geom::Mesh load_file(Cursor& cursor) {
+MeshFile find_file(Cursor& cursor) {
     const auto span = cursor.span();
     auto& session = cursor.session();
     const auto name = cursor.string();
@@ -61,12 +61,7 @@ geom::Mesh load_file(Cursor& cursor) {
     if (found->other_case)
         session.warn(span,
                      fmt::format("there is no '{}': taking '{}'", name, found->path.string()));
-    try {
-        return {load_mesh(found->path)};
-    } catch (const std::exception& error) {
-        throw SourceError(span,
-                          fmt::format("cannot use the mesh file '{}': {}", name, error.what()));
-    }
+    return {name, found->path, span};
 }
 
 bool read_mesh_option(Cursor& cursor) {
@@ -123,9 +118,9 @@ std::vector<TriangleIndices> read_indices(Cursor& cursor, std::size_t size, std:
 
 }  // namespace
 
-geom::Mesh read_mesh(Cursor& cursor, const Span& span) {
+std::variant<geom::Shape, MeshFile> read_mesh(Cursor& cursor, const Span& span) {
     TriangleSoup soup;
-    std::optional<geom::Mesh> from_file;
+    std::optional<MeshFile> from_file;
     while (!cursor.at_end()) {
         const auto at = cursor.span();
         const auto* block = cursor.block();
@@ -135,7 +130,7 @@ geom::Mesh read_mesh(Cursor& cursor, const Span& span) {
             cursor.advance();
             cursor.accept_comma();
         } else if (cursor.accept("file")) {
-            from_file = load_file(cursor);
+            from_file = find_file(cursor);
         } else if (!read_mesh_option(cursor)) {
             break;
         }
@@ -144,7 +139,18 @@ geom::Mesh read_mesh(Cursor& cursor, const Span& span) {
         throw SourceError(
             span, "a mesh takes its triangles from a file or from the scene, not from both");
     if (from_file) return *from_file;
-    return build(std::move(soup), span);
+    return geom::Shape{build(std::move(soup), span)};
+}
+
+geom::Mesh load_mesh_file(Session& session, const MeshFile& file) {
+    if (const auto known = session.meshes.find(file.path); known != session.meshes.end())
+        return known->second;
+    try {
+        return session.meshes.emplace(file.path, geom::Mesh{load_mesh(file.path)}).first->second;
+    } catch (const std::exception& error) {
+        throw SourceError(
+            file.span, fmt::format("cannot use the mesh file '{}': {}", file.name, error.what()));
+    }
 }
 
 geom::Mesh read_mesh2(Cursor& cursor, const Span& span) {

@@ -5,6 +5,7 @@
 
 #include "lang/evaluate.hpp"
 #include "lang/read_interior.hpp"
+#include "lang/read_mesh.hpp"
 #include "lang/read_pigment.hpp"
 #include "lang/read_shape.hpp"
 #include "lang/read_texture.hpp"
@@ -198,6 +199,9 @@ ObjectItem read_body(Cursor& cursor, const Span& span) {
     object.keyword = word;
     if (word == "union") {
         read_members(cursor, object);
+    } else if (word == "mesh") {
+        std::visit([&](auto&& mesh) { object.body = std::move(mesh); },
+                   read_mesh(cursor, cursor.span()));
     } else if (is_unsupported(word)) {
         object.body = Refusal{std::string(word), span, is_csg(word) ? csg_advice : ""};
         cursor.skip_rest();

@@ -179,7 +179,6 @@ std::optional<geom::Shape> read_shape(Cursor& cursor) {
     if (word == "smooth_triangle") return read_smooth_triangle(cursor);
     if (word == "polygon") return read_polygon(cursor, span);
     if (word == "lathe") return read_lathe(cursor, span);
-    if (word == "mesh") return read_mesh(cursor, span);
     if (word == "mesh2") return read_mesh2(cursor, span);
     auto shape = read_any(cursor, all_shapes);
     if (const auto* box = shape ? std::get_if<geom::Box>(&*shape) : nullptr) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +29,7 @@ public:
     bool states_gamma = false;
     std::optional<scene::WorkingSpace> srgb_taken_as;  // of the colours in `srgb` so far
     scene::Scene scene;
+    std::map<std::filesystem::path, geom::Mesh> meshes;  // from files, loaded so far
     std::string messages;
 
     void warn(const Span& span, std::string text);

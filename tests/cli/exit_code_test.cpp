@@ -37,6 +37,8 @@ TEST_CASE("wrong options are 2, with one line that names them", "[cli]") {
         {"render ball.scene --spp 4 --grid 2", "--grid"},
         {"render ball.scene --tree oak", "oak"},
         {"render ball.scene --interior dark", "dark"},
+        {"inspect ball.scene 1 1 --tree oak", "--tree: 'oak' is not one of whitted, full, sampled"},
+        {"inspect ball.scene 1 1 --interior dark", "--interior: 'dark' is not one of"},
         {"render ball.scene --region 0 0 9999 1", "9999"},
         {"render ball.scene --region 0 0 1", "--region"},
         {"render ball.scene --depth 30", "--tree full"},

@@ -116,6 +116,32 @@ TEST_CASE("a mesh is read from a file beside the scene", "[lang]") {
     CHECK(std::get<geom::Mesh>(scene.objects.at(0).shape).is_closed());
 }
 
+TEST_CASE("a mesh file that no object uses is never loaded, one that many use once", "[lang]") {
+    const Folder folder;
+    folder.write("corrupt.obj", std::string("f 1 2 3\nv x y z\0\xff", 18));
+    folder.write("shape.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const auto scene =
+        interpret_file(
+            folder.write("unused.scene",
+                         "#version 3.7;\n#declare Spare = mesh { file \"corrupt.obj\" }\n"
+                         "mesh { file \"shape.obj\" } mesh { file \"shape.obj\" }"))
+            .scene;
+    REQUIRE(scene.objects.size() == 2);
+    CHECK(std::get<geom::Mesh>(scene.objects[0].shape).triangles ==
+          std::get<geom::Mesh>(scene.objects[1].shape).triangles);
+
+    const auto used = folder.write(
+        "used.scene", "#declare Spare = mesh { file \"corrupt.obj\" }\nobject { Spare }");
+    try {
+        interpret_file(used);
+        FAIL("no error");
+    } catch (const SourceError& error) {
+        CHECK(error.primary().location.line == 1);
+        CHECK(error.notes().at(0).text.ends_with("used.scene:2:1"));
+    }
+}
+
 TEST_CASE("includes carry their folder, their place in errors and their locals", "[lang]") {
     const Folder folder;
     folder.write("part.inc", "#local Hidden = 1; #declare Shown = 2;\nsphere { 0, 1 }\n");
