@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -21,9 +23,8 @@ struct CheckOptions {
 ExitCode run(const CheckOptions& options) {
     if (!options.json.empty()) image::check_writable(options.json);
     auto interpreted = interpret_scene(options.scene);
-    const auto& scene = options.scene.scene;
-    const auto source = scene == "-" ? std::string("standard input") : scene;
     auto findings = from_warnings(interpreted.warnings);
+    std::ranges::move(from_unused(interpreted.unused_objects), std::back_inserter(findings));
     for (auto& finding : inspect::check(tracer::compile(std::move(interpreted.scene)))) {
         if (finding.location.file.empty()) finding.location.file = options.scene.file_name();
         findings.push_back(std::move(finding));

@@ -72,6 +72,20 @@ std::vector<Finding> from_warnings(const std::vector<Diagnostic>& warnings) {
     return findings;
 }
 
+std::vector<Finding> from_unused(const std::vector<lang::UnusedObject>& objects) {
+    std::vector<Finding> findings;
+    for (const auto& object : objects) {
+        Finding finding;
+        finding.lint = "unused-object";
+        finding.location = object.location;
+        finding.text =
+            fmt::format("{} is declared but never used: it is not in the scene", object.name);
+        finding.advice = fmt::format("to put it there, write `object {{ {} }}`", object.name);
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
 std::string format_findings(const std::vector<Finding>& findings) {
     std::string text;
     for (const auto& finding : findings) {

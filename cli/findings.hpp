@@ -5,11 +5,14 @@
 
 #include "inspect/finding.hpp"
 #include "lang/diagnostic.hpp"
+#include "lang/unused_objects.hpp"
 
 namespace meniscus::cli {
 
 /// What the reader of the scene warned of, as findings of `check`.
 std::vector<inspect::Finding> from_warnings(const std::vector<lang::Diagnostic>& warnings);
+
+std::vector<inspect::Finding> from_unused(const std::vector<lang::UnusedObject>& objects);
 
 /// As `file:line:column: warning: text`, the source line, and what to do about it; last a line that
 /// counts them.

@@ -25,11 +25,13 @@ void check_semicolon(Session& session, const ast::Declare& node, const Value& va
 }
 
 /// An object is called by the name under which it was declared.
-Value named(Value value, std::string_view name) {
+Value named(Session& session, Value value, const ast::Target& target) {
     const auto* object = value.item<ObjectItem>();
     if (!object) return value;
     auto copy = *object;
-    copy.name = name;
+    copy.name = target.variable.name;
+    copy.declared_at = target.span;
+    session.object_use.declare(copy.name, target.span);
     return make_item(std::move(copy));
 }
 
@@ -77,7 +79,7 @@ void declare(Session& session, const ast::Declare& node, const Span& span) {
     if (target.variable.indices.empty()) {
         auto slot = node.local ? session.symbols.declare_local(target.variable.name)
                                : session.symbols.declare(target.variable.name);
-        *slot = named(std::move(value), target.variable.name);
+        *slot = named(session, std::move(value), target);
         return;
     }
     auto slot = session.symbols.find(target.variable.name);

@@ -277,6 +277,8 @@ const Value* find_variable(Session& session, const ast::Variable& variable, cons
         }
         value = &(*array)->elements[element_place(session, **array, variable.indices, used)];
     }
+    if (const auto* object = value->item<ObjectItem>())
+        session.object_use.read(object->declared_at);
     return value;
 }
 

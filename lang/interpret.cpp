@@ -39,11 +39,13 @@ template <class Load>
 Interpreted interpret(const Options& options, Load load) {
     const StackMark mark;
     Session session(options);
+    std::vector<UnusedObject> unused_objects;
     try {
         declare_options(session);
         const ParsedFile& file = load(session);
         Cursor cursor(session, file.program.items, file.program.end, "scene");
         read_scene(cursor);
+        unused_objects = session.object_use.unused(*file.source);
     } catch (const std::invalid_argument& error) {  // geometry whose numbers run out
         throw SourceError(Diagnostic{Diagnostic::Severity::error, {}, error.what(), {}, 0});
     } catch (SourceError& error) {
@@ -53,7 +55,8 @@ Interpreted interpret(const Options& options, Load load) {
     // below 3.7, POV-Ray corrects nothing unless the scene says how its numbers are meant
     session.scene.settings.raw_output =
         !session.states_gamma && session.version.value_or(3.6) < 3.7;
-    return {std::move(session.scene), session.warnings(), std::move(session.messages)};
+    return {std::move(session.scene), session.warnings(), std::move(session.messages),
+            std::move(unused_objects)};
 }
 
 }  // namespace

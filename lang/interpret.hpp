@@ -6,6 +6,7 @@
 
 #include "lang/diagnostic.hpp"
 #include "lang/options.hpp"
+#include "lang/unused_objects.hpp"
 #include "scene/scene.hpp"
 
 namespace meniscus::lang {
@@ -14,7 +15,8 @@ namespace meniscus::lang {
 struct Interpreted {
     scene::Scene scene;
     std::vector<Diagnostic> warnings;
-    std::string messages;  // what #debug and its like print
+    std::string messages;                      // what #debug and its like print
+    std::vector<UnusedObject> unused_objects;  // of the scene file itself, not of what it includes
 };
 
 /// Reads a scene file and all that it includes. Throws SourceError, and FileError if a file cannot

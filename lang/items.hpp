@@ -118,6 +118,7 @@ struct ObjectItem {
     std::variant<geom::Shape, MeshFile, Union, LightItem, Refusal> body;
     std::string keyword;  // as written: "sphere"
     std::string name;     // of the declaration it came from
+    Span declared_at;     // that declaration's name
     Span span;
     geom::Transform transform;
     std::optional<TextureItem> texture;

@@ -12,6 +12,7 @@
 #include "lang/library.hpp"
 #include "lang/options.hpp"
 #include "lang/symbols.hpp"
+#include "lang/unused_objects.hpp"
 #include "scene/scene.hpp"
 
 namespace meniscus::lang {
@@ -24,6 +25,7 @@ public:
     const Options& options;
     Library library;
     Symbols symbols;
+    ObjectUse object_use;
     TextureItem default_texture;
     std::optional<double> version;  // of #version
     bool states_gamma = false;

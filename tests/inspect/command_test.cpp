@@ -108,3 +108,15 @@ TEST_CASE("a scene that cannot be read is no finding", "[inspect]") {
     CHECK(program.run("check wrong.scene").exit_code == 2);
     CHECK(program.run("check missing.scene").exit_code == 3);
 }
+
+TEST_CASE("check tells of objects that are declared but not in the scene", "[inspect]") {
+    const Program program;
+    program.write(
+        "cup.scene",
+        "#declare Cup = sphere { 0, 1 pigment { color rgb 1 } }\ncamera { location -5*z }");
+    const auto result = program.run("check cup.scene");
+    CHECK(result.exit_code == 4);
+    CHECK(result.out.find("cup.scene:1:10: warning: Cup is declared but never used") !=
+          std::string::npos);
+    CHECK(result.out.find("`object { Cup }`") != std::string::npos);
+}
