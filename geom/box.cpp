@@ -46,10 +46,11 @@ Vec3 Box::normal(Face face, const Vec3&) const {
     return n;
 }
 
-Vec3 Box::on_face(Face face, const Vec3& p) const {
-    Vec3 result = p;
-    result[face / 2] = face % 2 == 1 ? high()[face / 2] : low()[face / 2];
-    return result;
+Vec3 Box::to_face(Face face, const Ray& point) const {
+    const int axis = face / 2;
+    Vec3 way{0.0};
+    way[axis] = -point.from(face % 2 == 1 ? high() : low())[axis];
+    return way;
 }
 
 }  // namespace meniscus::geom

@@ -110,7 +110,7 @@ void Cone::hits(const Ray& ray, Crossings& out) const {
 
 bool Cone::contains(const Vec3& p) const {
     const Axis axis(base, cap);
-    const AxialPoint local(p, axis);
+    const AxialPoint local(p - axis.base, axis);
     return local.along > 0.0 && local.along < axis.length &&
            side_line(*this, axis.length).distance(glm::length(local.across), local.along) < 0.0;
 }
@@ -120,18 +120,18 @@ Vec3 Cone::normal(Face face, const Vec3& p) const {
     if (face == base_face) return -axis.direction;
     if (face == cap_face) return axis.direction;
     const ProfileLine side = side_line(*this, axis.length);
-    return glm::normalize(side.a * unit_across(AxialPoint(p, axis), axis) +
+    return glm::normalize(side.a * unit_across(AxialPoint(p - axis.base, axis), axis) +
                           side.b * axis.direction);
 }
 
-Vec3 Cone::on_face(Face face, const Vec3& p) const {
+Vec3 Cone::to_face(Face face, const Ray& point) const {
     const Axis axis(base, cap);
-    if (face == base_face) return onto_plane(p, base, axis.direction);
-    if (face == cap_face) return onto_plane(p, cap, axis.direction);
-    const AxialPoint local(p, axis);
+    if (face == base_face) return to_plane(point.from(base), axis.direction);
+    if (face == cap_face) return to_plane(point.from(cap), axis.direction);
+    const AxialPoint local(point.from(base), axis);
     const ProfileLine side = side_line(*this, axis.length);
     const Vec3 n = side.a * unit_across(local, axis) + side.b * axis.direction;
-    return p - side.distance(glm::length(local.across), local.along) * n;
+    return -side.distance(glm::length(local.across), local.along) * n;
 }
 
 }  // namespace meniscus::geom

@@ -29,7 +29,7 @@ struct Cone {
     void hits(const Ray& ray, Crossings& out) const;
     bool contains(const Vec3& p) const;
     Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 };
 
 }  // namespace meniscus::geom

@@ -66,7 +66,7 @@ void Cylinder::hits(const Ray& ray, Crossings& out) const {
 
 bool Cylinder::contains(const Vec3& p) const {
     const Axis axis(base, cap);
-    const AxialPoint local(p, axis);
+    const AxialPoint local(p - axis.base, axis);
     return local.along > 0.0 && local.along < axis.length &&
            glm::dot(local.across, local.across) < radius * radius;
 }
@@ -75,15 +75,15 @@ Vec3 Cylinder::normal(Face face, const Vec3& p) const {
     const Axis axis(base, cap);
     if (face == base_face) return -axis.direction;
     if (face == cap_face) return axis.direction;
-    return unit_across(AxialPoint(p, axis), axis);
+    return unit_across(AxialPoint(p - axis.base, axis), axis);
 }
 
-Vec3 Cylinder::on_face(Face face, const Vec3& p) const {
+Vec3 Cylinder::to_face(Face face, const Ray& point) const {
     const Axis axis(base, cap);
-    if (face == base_face) return onto_plane(p, base, axis.direction);
-    if (face == cap_face) return onto_plane(p, cap, axis.direction);
-    const AxialPoint local(p, axis);
-    return p + unit_across(local, axis) * (radius - glm::length(local.across));
+    if (face == base_face) return to_plane(point.from(base), axis.direction);
+    if (face == cap_face) return to_plane(point.from(cap), axis.direction);
+    const AxialPoint local(point.from(base), axis);
+    return unit_across(local, axis) * (radius - glm::length(local.across));
 }
 
 }  // namespace meniscus::geom

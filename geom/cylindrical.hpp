@@ -23,9 +23,9 @@ struct AxialPoint {
     double along;
     Vec3 across;
 
-    AxialPoint(const Vec3& p, const Axis& axis)
-        : along(glm::dot(p - axis.base, axis.direction)),
-          across((p - axis.base) - along * axis.direction) {}
+    /// `e` is the vector from the axis' base to the point.
+    AxialPoint(const Vec3& e, const Axis& axis)
+        : along(glm::dot(e, axis.direction)), across(e - along * axis.direction) {}
 };
 
 /// A ray taken apart in the same way: e is the vector from the base to its origin, d its direction.
@@ -64,9 +64,9 @@ Interval between_caps(const AxialRay& ray, double length, Face pin, Face base_fa
 /// The box around a disc.
 Bounds disc_bounds(const Vec3& center, const Vec3& direction, double radius);
 
-/// The point of a plane, through `anchor`, that is nearest to p.
-inline Vec3 onto_plane(const Vec3& p, const Vec3& anchor, const Vec3& unit_normal) {
-    return p - glm::dot(p - anchor, unit_normal) * unit_normal;
+/// The way to a plane from a point that is off one of the plane's points by `e`.
+inline Vec3 to_plane(const Vec3& e, const Vec3& unit_normal) {
+    return -glm::dot(e, unit_normal) * unit_normal;
 }
 
 /// Some unit vector at a right angle to `v`.

@@ -20,8 +20,8 @@ void Disc::hits(const Ray& ray, Crossings& out) const {
 
 Vec3 Disc::normal(Face, const Vec3&) const { return direction / glm::length(direction); }
 
-Vec3 Disc::on_face(Face face, const Vec3& p) const {
-    return onto_plane(p, center, normal(face, p));
+Vec3 Disc::to_face(Face face, const Ray& point) const {
+    return to_plane(point.from(center), normal(face, center));
 }
 
 }  // namespace meniscus::geom

@@ -23,7 +23,7 @@ struct Disc {
 
     void hits(const Ray& ray, Crossings& out) const;
     Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 };
 
 }  // namespace meniscus::geom

@@ -38,14 +38,19 @@ struct LatheLine {
     }
 };
 
-/// Solves A t^2 + 2 B t + C = 0; a line that only touches gives none.
+/// Solves A t^2 + 2 B t + C = 0, for the part of a line within a cone; a line that only touches
+/// gives none. Where A < 0 the line meets both halves of a cone, and only rounding can deny that:
+/// then it passes through the point.
 Roots quadratic(double A, double B, double C) {
     Roots roots;
-    const double discriminant = B * B - A * C;
-    if (!(discriminant > 0.0)) return roots;
+    double discriminant = B * B - A * C;
+    if (!(discriminant > 0.0)) {
+        if (!(A < 0.0)) return roots;
+        discriminant = 0.0;
+    }
     const double q = -(B + std::copysign(glm::sqrt(discriminant), B));
     if (A != 0.0) roots.push_back(q / A);
-    roots.push_back(C / q);
+    if (q != 0.0) roots.push_back(C / q);
     return roots;
 }
 
@@ -235,15 +240,16 @@ Vec3 Lathe::normal(Face face, const Vec3& p) const {
     return glm::normalize(Vec3{n.x * out.x, n.y, n.x * out.y});
 }
 
-Vec3 Lathe::on_face(Face face, const Vec3& p) const {
+Vec3 Lathe::to_face(Face face, const Ray& point) const {
     const ProfilePiece& piece = profile_->pieces()[face];
+    const Vec3 p = point.from(Vec3{0.0});
     const Vec2 q = radius_and_height(p);
     // The correction is along the normal: at the end of a piece the nearest point would be its end.
     const double u = piece.nearest(q);
     const Vec2 n = piece.normal(u);
     const double distance = piece.straight ? (piece.line.distance(q.x, q.y)) * piece.outward
                                            : glm::dot(q - piece.at(u), n);
-    return p - distance * normal(face, p);
+    return -distance * normal(face, p);
 }
 
 }  // namespace meniscus::geom

@@ -42,7 +42,7 @@ public:
     void hits(const Ray& ray, Crossings& out) const;
     bool contains(const Vec3& p) const;
     Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 
 private:
     Spline spline_;

@@ -28,7 +28,7 @@ struct Mesh {
     Vec3 shading_normal(Face face, const Vec3& p) const {
         return triangles->shading_normal(face, p);
     }
-    Vec3 on_face(Face face, const Vec3& p) const { return triangles->on_face(face, p); }
+    Vec3 to_face(Face face, const Ray& point) const { return triangles->to_face(face, point); }
 };
 
 }  // namespace meniscus::geom

@@ -144,11 +144,9 @@ Vec3 PlacedShape::shading_normal(Face face, const Vec3& p) const {
         transform_.normal(geom::shading_normal(shape_, face, transform_.to_local(p))));
 }
 
-Vec3 PlacedShape::on_face(Face face, const Vec3& p) const {
-    if (transform_.is_identity()) return geom::on_face(shape_, face, p);
-    // Moving the correction instead of the point keeps the digits of a far place.
-    const Vec3 local = transform_.to_local(p);
-    return p + transform_.vector(geom::on_face(shape_, face, local) - local);
+Vec3 PlacedShape::to_face(Face face, const Ray& point) const {
+    if (transform_.is_identity()) return geom::to_face(shape_, face, point);
+    return transform_.vector(geom::to_face(shape_, face, transform_.to_local(point)));
 }
 
 bool PlacedShape::contains(const Vec3& p) const {

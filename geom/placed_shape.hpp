@@ -29,7 +29,9 @@ public:
     void hits(const Ray& ray, Crossings& out) const;
     Vec3 normal(Face face, const Vec3& p) const;
     Vec3 shading_normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    /// As the shape's: the way from `point`'s exact origin to the face.
+    Vec3 to_face(Face face, const Ray& point) const;
+    Vec3 on_face(Face face, const Vec3& p) const { return p + to_face(face, Ray{p}); }
     bool contains(const Vec3& p) const;
     int depth_at(const Vec3& p) const;
 

@@ -19,9 +19,9 @@ bool Plane::contains(const Vec3& p) const {
 
 Vec3 Plane::normal(Face, const Vec3&) const { return direction / glm::length(direction); }
 
-Vec3 Plane::on_face(Face face, const Vec3& p) const {
-    const Vec3 n = normal(face, p);
-    return p + n * (distance - glm::dot(p, n));
+Vec3 Plane::to_face(Face face, const Ray& point) const {
+    const Vec3 n = normal(face, point.origin);
+    return n * ((distance - glm::dot(point.origin, n)) - glm::dot(point.origin_error, n));
 }
 
 }  // namespace meniscus::geom

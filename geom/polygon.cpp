@@ -76,6 +76,8 @@ void Polygon::hits(const Ray& ray, Crossings& out) const {
 
 Vec3 Polygon::normal(Face, const Vec3&) const { return normal_; }
 
-Vec3 Polygon::on_face(Face, const Vec3& p) const { return onto_plane(p, points_[0], normal_); }
+Vec3 Polygon::to_face(Face, const Ray& point) const {
+    return to_plane(point.from(points_[0]), normal_);
+}
 
 }  // namespace meniscus::geom

@@ -45,7 +45,7 @@ concept Primitive = std::default_initializable<T> &&
     { shape.bounds() } -> std::same_as<Bounds>;
     { shape.magnitude() } -> std::same_as<double>;
     { shape.normal(face, p) } -> std::same_as<Vec3>;
-    { shape.on_face(face, p) } -> std::same_as<Vec3>;
+    { shape.to_face(face, ray) } -> std::same_as<Vec3>;
 };
 
 /// Closed and convex: `interval` says all.

@@ -78,8 +78,12 @@ Vec3 shading_normal(const Shape& shape, Face face, const Vec3& p) {
         shape);
 }
 
+Vec3 to_face(const Shape& shape, Face face, const Ray& point) {
+    return std::visit([&](const auto& s) { return s.to_face(face, point); }, shape);
+}
+
 Vec3 on_face(const Shape& shape, Face face, const Vec3& p) {
-    return std::visit([&](const auto& s) { return s.on_face(face, p); }, shape);
+    return p + to_face(shape, face, Ray{p});
 }
 
 bool contains(const Shape& shape, const Vec3& p) {

@@ -54,6 +54,9 @@ void hits(const Shape& shape, const Ray& ray, Crossings& out);
 Vec3 normal(const Shape& shape, Face face, const Vec3& p);
 /// The normal to shade with: interpolated on smooth triangles, else the same. Unit length.
 Vec3 shading_normal(const Shape& shape, Face face, const Vec3& p);
+/// The way from `point`'s exact origin to the nearest point of the face, of which it is within
+/// rounding. Its digits begin where those of the origin end.
+Vec3 to_face(const Shape& shape, Face face, const Ray& point);
 /// The point of the face nearest to `p`, which is within rounding of it.
 Vec3 on_face(const Shape& shape, Face face, const Vec3& p);
 /// For closed shapes: whether `p` is strictly inside. For a mesh: whether its winding count is

@@ -31,8 +31,10 @@ Vec3 Sphere::normal(Face, const Vec3& p) const {
     return length > 0.0 ? e / length : Vec3{0.0, 1.0, 0.0};
 }
 
-Vec3 Sphere::on_face(Face face, const Vec3& p) const {
-    return p + normal(face, p) * (radius - glm::length(p - center));
+Vec3 Sphere::to_face(Face, const Ray& point) const {
+    const Vec3 e = point.from(center);
+    const double length = glm::length(e);
+    return length > 0.0 ? e * ((radius - length) / length) : Vec3{0.0, radius, 0.0};
 }
 
 }  // namespace meniscus::geom

@@ -21,7 +21,7 @@ struct Sphere {
     Interval interval(const Ray& ray, Face pin) const;
     bool contains(const Vec3& p) const;
     Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 };
 
 }  // namespace meniscus::geom

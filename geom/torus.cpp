@@ -1,8 +1,8 @@
 #include "geom/torus.hpp"
 
+#include <algorithm>
 #include <array>
 
-#include "geom/alternate.hpp"
 #include "geom/polynomial.hpp"
 
 namespace meniscus::geom {
@@ -23,6 +23,37 @@ struct RingPoint {
     }
 };
 
+/// A line with unit direction, seen from its point nearest to the torus' centre.
+struct TorusLine {
+    Vec3 e, d;
+    double major, minor;
+
+    struct Distance {
+        double value, slope;  // from the surface, outwards; along the line
+    };
+    Distance distance(double t) const {
+        const RingPoint p(e + t * d, major);
+        return {p.from_circle - minor, glm::dot(p.out, d) / p.from_circle};
+    }
+
+    /// Where the distance, which changes its sign between the two, is 0: by Newton's method,
+    /// halving where a step would leave the bracket.
+    double root_between(double low, double high, bool rising) const {
+        const double precision = unit_roundoff * (major + minor);
+        double t = 0.5 * (low + high);
+        for (int i = 0; i < 100; ++i) {
+            const auto [value, slope] = distance(t);
+            ((value < 0.0) == rising ? low : high) = t;
+            double next = t - value / slope;
+            if (!(next > low && next < high)) next = 0.5 * (low + high);
+            const double step = glm::abs(next - t);
+            t = next;
+            if (step <= precision) break;
+        }
+        return t;
+    }
+};
+
 }  // namespace
 
 Bounds Torus::bounds() const {
@@ -37,40 +68,41 @@ void Torus::crossings(const Ray& ray, Crossings& out) const {
     const Vec3 d = ray.direction / length;
     const Vec3 from_center = ray.from(Vec3{0.0});
     const double shift = -glm::dot(from_center, d);
-    const Vec3 e = from_center + shift * d;
+    const TorusLine line{from_center + shift * d, d, major, minor};
+    const Vec3& e = line.e;
     const double reach = major + minor, ee = glm::dot(e, e);
     if (!(ee < reach * reach)) return;
     const double half_chord = glm::sqrt((reach * reach - ee)) * (1.0 + 1e-9) + 1e-9 * reach;
 
-    // (p.p + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2)
+    // (p.p + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) is the product of two differences, of squares of the
+    // distances from the near and the far side of the ring and r^2. Only its extremes are taken
+    // from it: they part the line into stretches with one crossing at most. Which of them have one,
+    // and where, is asked of the distance itself, which keeps its digits where the quartic does
+    // not.
     const double k = ee + (major - minor) * (major + minor), four_r2 = 4.0 * major * major;
-    const std::array<double, 5> quartic{k * k - four_r2 * (e.x * e.x + e.z * e.z),
-                                        -2.0 * four_r2 * (e.x * d.x + e.z * d.z),
-                                        2.0 * k - four_r2 * (d.x * d.x + d.z * d.z), 0.0, 1.0};
-    const Roots roots = roots_between(quartic, -half_chord, half_chord);
+    const double dd = d.x * d.x + d.z * d.z, ed = e.x * d.x + e.z * d.z;
+    const std::array<double, 4> slope{-2.0 * four_r2 * ed, 2.0 * (2.0 * k - four_r2 * dd), 0.0,
+                                      4.0};
+    Roots stops = roots_between(slope, -half_chord, half_chord);
+    if (minor > major && dd > 0.0) {
+        // Here the skin has a dimple, and the distance an extreme of its own next to the axis.
+        stops.push_back(glm::clamp(-ed / dd, -half_chord, half_chord));
+        std::sort(stops.begin(), stops.end());
+    }
+    stops.push_back(half_chord);
 
-    Candidates candidates;
-    // A last step by the distance from the surface, which is accurate where the quartic is not.
-    const auto keep = [&](double t, double limit) {
-        const RingPoint p(e + t * d, major);
-        const double slope = glm::dot(p.out, d) / p.from_circle;
-        const double step = (p.from_circle - minor) / slope;
-        if (glm::abs(step) <= limit) t -= step;
-        candidates.push_back({(shift + t) / length, 0});
-    };
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-        double limit = 1e-3 * minor;  // and not as far as half-way to the neighbours
-        if (i > 0) limit = glm::min(limit, 0.4 * (roots[i] - roots[i - 1]));
-        if (i + 1 < roots.size()) limit = glm::min(limit, 0.4 * (roots[i + 1] - roots[i]));
-        keep(roots[i], limit);
+    double left = -half_chord;
+    bool was_inside = false;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const double right = stops[i];
+        const bool is_inside = i + 1 < stops.size() && line.distance(right).value < 0.0;
+        if (is_inside != was_inside) {
+            const double t = line.root_between(left, right, was_inside);
+            out.push_back({(shift + t) / length, 0, is_inside});
+        }
+        left = right;
+        was_inside = is_inside;
     }
-    if (minor > major && d.y != 0.0) {
-        // On the axis the quartic only touches 0, for there the inner skin meets the outer one.
-        const double height = glm::sqrt((minor - major) * (minor + major));
-        for (const double y : {height, -height}) keep((y - e.y) / d.y, 1e-3 * minor);
-    }
-    const auto inside = [&](double t) { return contains(e + (t * length - shift) * d); };
-    keep_changes(candidates, 0.0, inside, out);
 }
 
 bool Torus::contains(const Vec3& p) const { return RingPoint(p, major).from_circle < minor; }
@@ -80,8 +112,9 @@ Vec3 Torus::normal(Face, const Vec3& p) const {
     return q.from_circle > 0.0 ? q.out / q.from_circle : Vec3{0.0, 1.0, 0.0};
 }
 
-Vec3 Torus::on_face(Face face, const Vec3& p) const {
-    return p + normal(face, p) * (minor - RingPoint(p, major).from_circle);
+Vec3 Torus::to_face(Face face, const Ray& point) const {
+    const Vec3 p = point.from(Vec3{0.0});
+    return normal(face, p) * (minor - RingPoint(p, major).from_circle);
 }
 
 }  // namespace meniscus::geom

@@ -22,7 +22,7 @@ struct Torus {
     void crossings(const Ray& ray, Crossings& out) const;
     bool contains(const Vec3& p) const;
     Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 };
 
 }  // namespace meniscus::geom

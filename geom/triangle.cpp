@@ -26,7 +26,9 @@ Vec3 Triangle::shading_normal(Face face, const Vec3& p) const {
     return smooth ? interpolated_normal({a, b, c}, {na, nb, nc}, flat, p) : flat;
 }
 
-Vec3 Triangle::on_face(Face face, const Vec3& p) const { return onto_plane(p, a, normal(face, p)); }
+Vec3 Triangle::to_face(Face face, const Ray& point) const {
+    return to_plane(point.from(a), normal(face, a));
+}
 
 Vec3 interpolated_normal(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals,
                          const Vec3& flat, const Vec3& p) {

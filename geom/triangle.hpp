@@ -25,7 +25,7 @@ struct Triangle {
     void hits(const Ray& ray, Crossings& out) const;
     Vec3 normal(Face face, const Vec3& p) const;
     Vec3 shading_normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 };
 
 /// The mean of a triangle's corner normals at a point of it, turned to the side of its `flat`

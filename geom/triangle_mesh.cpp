@@ -338,8 +338,8 @@ Vec3 TriangleMesh::shading_normal(Face face, const Vec3& p) const {
     return interpolated_normal(corners(face), {normals_[a], normals_[b], normals_[c]}, flat, p);
 }
 
-Vec3 TriangleMesh::on_face(Face face, const Vec3& p) const {
-    return onto_plane(p, positions_[triangles_[face][0]], normal(face));
+Vec3 TriangleMesh::to_face(Face face, const Ray& point) const {
+    return to_plane(point.from(positions_[triangles_[face][0]]), normal(face));
 }
 
 std::shared_ptr<const TriangleMesh> TriangleMesh::unit_cube() {

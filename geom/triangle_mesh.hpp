@@ -75,7 +75,7 @@ public:
     int depth_at(const Vec3& p) const;
     Vec3 normal(Face face) const;
     Vec3 shading_normal(Face face, const Vec3& p) const;
-    Vec3 on_face(Face face, const Vec3& p) const;
+    Vec3 to_face(Face face, const Ray& point) const;
 
 private:
     void weld(TriangleSoup& soup);

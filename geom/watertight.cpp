@@ -20,6 +20,13 @@ int edge_sign(const Vec3& p, const Vec3& q) {
     return 0;
 }
 
+/// The value that has that sign, to two unit roundoffs of itself (Kahan's difference of products):
+/// slivers, whose three are small differences, keep all digits.
+double edge_function(const Vec3& p, const Vec3& q) {
+    const double product = p.y * q.x;
+    return std::fma(p.x, q.y, -product) - std::fma(p.y, q.x, -product);
+}
+
 }  // namespace
 
 TriangleLine::TriangleLine(const Ray& ray) : ray_(ray) {
@@ -42,9 +49,7 @@ std::optional<TriangleLine::Hit> TriangleLine::hit(const Vec3& a, const Vec3& b,
     const Vec3 p = sheared(a), q = sheared(b), r = sheared(c);
     const int sign = edge_sign(p, q);
     if (sign == 0 || edge_sign(q, r) != sign || edge_sign(r, p) != sign) return std::nullopt;
-    const double u = q.x * r.y - q.y * r.x;
-    const double v = r.x * p.y - r.y * p.x;
-    const double w = p.x * q.y - p.y * q.x;
+    const double u = edge_function(q, r), v = edge_function(r, p), w = edge_function(p, q);
     const double sum = u + v + w;
     double t = sum != 0.0 ? (u * p.z + v * q.z + w * r.z) / sum : (p.z + q.z + r.z) / 3.0;
     // Where all but the signs is lost to rounding, stay with the triangle.

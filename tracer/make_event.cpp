@@ -34,12 +34,10 @@ Event EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner
     event.origin = point_on(ray.ray, t);
     // Put the point back on its face: what rounding and long chords took off it would add up from
     // bounce to bounce.
-    const geom::Vec3 p = event.origin.origin;
-    event.origin.origin_error += part.shape.on_face(owner.face, p + event.origin.origin_error) -
-                                 (p + event.origin.origin_error);
+    event.origin.origin_error += part.shape.to_face(owner.face, event.origin);
     event.solid_before = before.top_solid(scene_);
     event.solid_after = after.top_solid(scene_);
-    event.normal = part.shape.normal(owner.face, p);
+    event.normal = part.shape.normal(owner.face, event.origin.origin);
     if (part.inverse) event.normal = -event.normal;
     event.magnitude = offers_.magnitude(ray, owner.part, t);
     return event;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "geom/cylinder.hpp"
+#include "geom/shape.hpp"
 #include "tests/geom/lines.hpp"
 
 namespace meniscus::geom {
@@ -76,7 +77,7 @@ TEST_CASE("roots near the point of a cone are as good as elsewhere", "[geom]") {
         const Interval interval = cone.interval(ray, no_face);
         if (!interval.hit || interval.face0 != Cone::side_face) continue;
         const Vec3 p = ray.at(interval.t0);
-        REQUIRE(glm::length(cone.on_face(Cone::side_face, p) - p) < 32.0 * unit_roundoff * 12.0);
+        REQUIRE(glm::length(on_face(cone, Cone::side_face, p) - p) < 32.0 * unit_roundoff * 12.0);
     }
 }
 

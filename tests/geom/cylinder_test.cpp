@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "geom/shape.hpp"
 #include "tests/geom/lines.hpp"
 
 namespace meniscus::geom {
@@ -40,8 +41,8 @@ TEST_CASE("ten thousand reflections inside a cylinder stay on it", "[geom]") {
         for (int i = 0; i < 10000; ++i) {
             const Interval interval = cylinder.interval(ray, pin);
             pin = interval.face1;
-            const Vec3 p = cylinder.on_face(pin, ray.at(interval.t1));
-            worst = glm::max(worst, glm::length(cylinder.on_face(pin, p) - p));
+            const Vec3 p = on_face(cylinder, pin, ray.at(interval.t1));
+            worst = glm::max(worst, glm::length(on_face(cylinder, pin, p) - p));
             const Vec3 n = cylinder.normal(pin, p);
             ray = {p, glm::normalize(ray.direction - 2.0 * glm::dot(ray.direction, n) * n)};
         }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "geom/shape.hpp"
 #include "tests/geom/lines.hpp"
 
 namespace meniscus::geom {
@@ -41,7 +42,7 @@ TEST_CASE("ten thousand reflections inside a sphere stay on it", "[geom]") {
         for (int i = 0; i < 10000; ++i) {
             const Interval interval = sphere.interval(ray, 0);
             REQUIRE(interval.t0 == 0.0);
-            const Vec3 p = sphere.on_face(0, ray.at(interval.t1)), n = sphere.normal(0, p);
+            const Vec3 p = on_face(sphere, 0, ray.at(interval.t1)), n = sphere.normal(0, p);
             worst = glm::max(worst, glm::abs(glm::length(p - sphere.center) - 1.0));
             ray = {p, glm::normalize(ray.direction - 2.0 * glm::dot(ray.direction, n) * n)};
         }
