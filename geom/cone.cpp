@@ -14,6 +14,20 @@ ProfileLine side_line(const Cone& cone, double length) {
     return {a, b, a * cone.base_radius};
 }
 
+/// The ray and the side seen from the narrower end, with the axis towards the wider one: there is
+/// the point of the cone, if it has one, and no digits are lost about it.
+struct FromNarrowEnd {
+    AxialRay ray;
+    ProfileLine side;
+};
+
+FromNarrowEnd from_narrow_end(const Cone& cone, const AxialRay& ray, double length) {
+    const ProfileLine side = side_line(cone, length);
+    if (cone.base_radius <= cone.cap_radius) return {ray, side};
+    return {{length - ray.along_e, -ray.along_d, ray.across_e, ray.across_d},
+            {side.a, -side.b, side.a * cone.cap_radius}};
+}
+
 /// The part of a line inside the infinite cone, on the side of its point where radii are positive.
 struct SideSpan {
     double low, high;  // one of them may be infinite; equal where the line misses: the place
@@ -21,21 +35,29 @@ struct SideSpan {
     bool exists;
 };
 
-SideSpan side_span(const AxialRay& ray, const ProfileLine& side, double length, bool pinned) {
+SideSpan side_span(const FromNarrowEnd& seen, double length, bool pinned) {
     // a^2 radius^2 = (c - b height)^2 is A t^2 + 2 B t + C = 0. Seen from the point of the line
-    // nearest to the middle of the axis, the coefficients are free of the ray's distance.
+    // nearest to the narrow end, the coefficients are free of the ray's distance.
+    const auto& [ray, side] = seen;
     const double dd = glm::dot(ray.across_d, ray.across_d) + ray.along_d * ray.along_d;
-    const double shift =
-        pinned
-            ? 0.0
-            : -(glm::dot(ray.across_e, ray.across_d) + (ray.along_e - 0.5 * length) * ray.along_d) /
-                  dd;
-    const Vec3 across = ray.across_e + shift * ray.across_d;
-    const double width = side.c - side.b * (ray.along_e + shift * ray.along_d);
+    double shift =
+        pinned ? 0.0 : -(glm::dot(ray.across_e, ray.across_d) + ray.along_e * ray.along_d) / dd;
+    Vec3 across = ray.across_e + shift * ray.across_d;
+    double width = side.c - side.b * (ray.along_e + shift * ray.along_d);
     const double widening = -side.b * ray.along_d;  // of the cone, along the ray
     const double a2 = side.a * side.a;
     const double A = a2 * glm::dot(ray.across_d, ray.across_d) - widening * widening;
-    const double B = a2 * glm::dot(across, ray.across_d) - width * widening;
+    double B = a2 * glm::dot(across, ray.across_d) - width * widening;
+    const double wide_radius = (side.c + glm::abs(side.b) * length) / side.a;
+    const double size = (length + wide_radius) / glm::sqrt(dd);
+    if (!pinned && glm::abs(B) < 4.0 * size * A) {
+        // Seen from halfway between the roots, as Haines et al. (2019) do for spheres, a needle
+        // passed at a distance keeps its digits.
+        shift -= B / A;
+        across = ray.across_e + shift * ray.across_d;
+        width = side.c - side.b * (ray.along_e + shift * ray.along_d);
+        B = a2 * glm::dot(across, ray.across_d) - width * widening;
+    }
     const double C = pinned ? 0.0 : a2 * glm::dot(across, across) - width * width;
 
     if (A == 0.0 && B == 0.0) return {-infinity, infinity, C < 0.0};  // along a cylinder
@@ -62,9 +84,7 @@ SideSpan side_span(const AxialRay& ray, const ProfileLine& side, double length, 
             A != 0.0 ? q / A : two;  // parallel to the slope: the other is at infinity
         // A step may not reach half-way to the other root, nor leap where the surface is almost
         // parallel to the ray.
-        const double limit =
-            glm::min(0.5 * root / glm::abs(A),
-                     1e-6 * (length + 1.0 / side.a * glm::abs(side.c)) / glm::sqrt(dd));
+        const double limit = glm::min(0.5 * root / glm::abs(A), 1e-6 * size);
         first = side.polish(ray, shift + glm::min(one, two), limit);
         second = side.polish(ray, shift + glm::max(one, two), limit);
     }
@@ -90,7 +110,7 @@ Interval Cone::interval(const Ray& ray, Face pin) const {
     const AxialRay local = axial(ray, axis);
     Interval result = between_caps(local, axis.length, pin, base_face, cap_face);
     const SideSpan side =
-        side_span(local, side_line(*this, axis.length), axis.length, pin == side_face);
+        side_span(from_narrow_end(*this, local, axis.length), axis.length, pin == side_face);
     clip(result, side.low, side_face, side.high, side_face);
     if (!side.exists) result.hit = false;
     return result;
@@ -99,7 +119,7 @@ Interval Cone::interval(const Ray& ray, Face pin) const {
 void Cone::hits(const Ray& ray, Crossings& out) const {
     const Axis axis(base, cap);
     const AxialRay local = axial(ray, axis);
-    const SideSpan side = side_span(local, side_line(*this, axis.length), axis.length, false);
+    const SideSpan side = side_span(from_narrow_end(*this, local, axis.length), axis.length, false);
     if (!side.exists) return;
     for (const double t : {side.low, side.high}) {
         const double y = local.along_e + t * local.along_d;

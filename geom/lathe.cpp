@@ -56,7 +56,7 @@ Roots quadratic(double A, double B, double C) {
 
 void straight_candidates(const LatheLine& line, const ProfilePiece& piece, double size, Face face,
                          Candidates& out) {
-    const auto& [a, b, c] = piece.line;
+    const double a = piece.line.a, b = piece.line.b;
     const double slack = overhang * size;
     const auto keep = [&](double t) {
         t = piece.line.polish(line.ray, t, 1e-6 * size);
@@ -70,21 +70,36 @@ void straight_candidates(const LatheLine& line, const ProfilePiece& piece, doubl
         if (line.ray.along_d != 0.0) keep((piece.start.y - line.ray.along_e) / line.ray.along_d);
         return;
     }
-    // A flat cone is solved from where the line meets its middle height: there its two branches do
-    // not drown in the constants.
-    double shift = 0.0;
-    if (glm::abs(a) < 0.1 && glm::abs(line.ray.along_d) > 1e-3) {
-        shift = (0.5 * (piece.start.y + piece.end.y) - line.ray.along_e) / line.ray.along_d;
-    }
-    // a^2 radius^2 = (c - b height)^2
-    const Vec3 across = line.ray.across_e + shift * line.ray.across_d;
-    const double width = c - b * (line.ray.along_e + shift * line.ray.along_d);
+    // a^2 radius^2 = (c - b height)^2, with heights from the narrower end
+    const Vec2& narrow = piece.start.x <= piece.end.x ? piece.start : piece.end;
+    const double height = line.ray.along_e - narrow.y;
     const double widening = -b * line.ray.along_d, a2 = a * a;
-    for (const double t : quadratic(a2 * line.dd - widening * widening,
-                                    a2 * glm::dot(across, line.ray.across_d) - width * widening,
-                                    a2 * glm::dot(across, across) - width * width)) {
-        keep(shift + t);
+    const double A = a2 * line.dd - widening * widening;
+    const auto solve_from = [&](double shift) {
+        Vec3 across;
+        double width, B;
+        const auto see_from_shift = [&] {
+            across = line.ray.across_e + shift * line.ray.across_d;
+            width = a * narrow.x - b * (height + shift * line.ray.along_d);
+            B = a2 * glm::dot(across, line.ray.across_d) - width * widening;
+        };
+        see_from_shift();
+        if (glm::abs(B) < 4.0 * size * A) {  // from halfway between the roots, as in cone.cpp
+            shift -= B / A;
+            see_from_shift();
+        }
+        for (const double t : quadratic(A, B, a2 * glm::dot(across, across) - width * width)) {
+            keep(shift + t);
+        }
+    };
+    // A flat cone is solved from where the line meets its middle height: there its two branches do
+    // not drown in the constants. Any other, and about its point a flat one too, from the point of
+    // the line nearest to the narrower end.
+    const bool is_flat = glm::abs(a) < 0.1 && glm::abs(line.ray.along_d) > 1e-3;
+    if (is_flat) {
+        solve_from((0.5 * (piece.end.y + piece.start.y) - line.ray.along_e) / line.ray.along_d);
     }
+    if (!is_flat || narrow.x == 0.0) solve_from(-(line.ed + height * line.ray.along_d));
 }
 
 /// Newton's method for "the line at t is the curve at u".

@@ -161,8 +161,8 @@ TEMPLATE_LIST_TEST_CASE("the root of a pinned face is exactly 0", "[geom][contra
                           if (glm::abs(slope) < 1e-6) continue;
                           // Where another face is as near, either may come first.
                           const Vec3 inward = p - 1e-6 * n;
-                          if (!shape.contains(inward) || !shape.contains(inward + 1e-7 * d) ||
-                              !shape.contains(inward - 1e-7 * d)) {
+                          if (!shape.contains(inward) || !shape.contains(inward + 0.9e-6 * d) ||
+                              !shape.contains(inward - 0.9e-6 * d)) {
                               continue;
                           }
                           const Interval interval = shape.interval({p, d}, crossing.face);

@@ -26,11 +26,19 @@ Crossings computed_crossings(const PlacedShape& shape, const Ray& ray, Face pin)
 }
 
 /// How far a place on the line is from the nearest one on the other side of the surface, in units:
-/// 1, 2, 4, ... or infinite, looking along the normal of `face` and along the axes.
+/// 1, 2, 4, ... or infinite, looking along the normal of `face`, the axes and the
+/// diagonals.
 double depth_in_units(const Referee& referee, const Ray& ray, Quad t, Face face, double unit) {
     const QuadVec p = Referee::at(ray, t);
     const bool inside = referee.contains(p);
-    const QuadVec ways[] = {referee.normal(ray, face, t), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const QuadVec ways[] = {referee.normal(ray, face, t),
+                            {1, 0, 0},
+                            {0, 1, 0},
+                            {0, 0, 1},
+                            {1, 1, 1},
+                            {1, 1, -1},
+                            {1, -1, 1},
+                            {-1, 1, 1}};
     for (double units = 1.0; units < 0x1p53; units *= 2.0) {
         for (const QuadVec& way : ways) {
             const QuadVec step = Quad(units * unit) * way;

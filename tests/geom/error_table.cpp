@@ -1,5 +1,6 @@
-// error_table [LINES [SEED]]: prints the table of docs/numerics.md: for each kind of shape and placement, the worst error of a
-// crossing along the normal in units of u M, over so many lines (25,000 unless stated).
+// error_table [LINES [SEED]]: prints the table of docs/numerics.md: for each kind of shape and
+// placement, the worst error of a crossing along the normal in units of u M, over so many lines
+// (25,000 unless stated).
 #include <cstdlib>
 #include <iostream>
 
