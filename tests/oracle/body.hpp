@@ -1,12 +1,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "scene/object.hpp"
+#include "tests/oracle/mesh_body.hpp"
 #include "tests/oracle/real.hpp"
 #include "tests/oracle/roots.hpp"
+#include "tests/oracle/turned_body.hpp"
 
 namespace meniscus::oracle {
 
@@ -18,7 +21,8 @@ class Body {
 public:
     using V = Vector<Real>;
 
-    explicit Body(const scene::Object& object) : shape_(object.shape), inverse_(object.inverse) {
+    explicit Body(const scene::Object& object)
+        : shape_(prepared(object.shape)), inverse_(object.inverse) {
         const auto& m = object.transform.linear();  // m[column][row]
         const V a = widen<Real>(m[0]), b = widen<Real>(m[1]), c = widen<Real>(m[2]);
         const Real determinant = dot(a, cross(b, c));
@@ -54,6 +58,29 @@ public:
     }
 
 private:
+    /// The shapes that the oracle knows.
+    using Shape = std::variant<geom::Sphere, geom::Box, geom::Plane, geom::Cylinder, geom::Cone,
+                               geom::Torus, TurnedBody<Real>, MeshBody<Real>>;
+
+    static Shape prepared(const geom::Shape& shape) {
+        if (!geom::is_closed(shape))
+            throw std::invalid_argument("the oracle knows closed shapes only");
+        return std::visit(
+            [](const auto& s) -> Shape {
+                using Given = std::decay_t<decltype(s)>;
+                if constexpr (std::is_same_v<Given, geom::Lathe>) {
+                    return TurnedBody<Real>(s);
+                } else if constexpr (std::is_same_v<Given, geom::Mesh>) {
+                    return MeshBody<Real>(s);
+                } else if constexpr (std::is_constructible_v<Shape, Given>) {
+                    return s;
+                } else {
+                    throw std::invalid_argument("the oracle does not know this shape");
+                }
+            },
+            shape);
+    }
+
     // Sphere
     static bool inside(const geom::Sphere& s, const V& p) {
         const V e = p - widen<Real>(s.center);
@@ -110,7 +137,6 @@ private:
     }
     template <class Emit>
     static void meetings(const geom::Cylinder& s, const V& o, const V& d, Emit emit) {
-        if (s.open) throw std::invalid_argument("the oracle knows closed shapes only");
         const V w = widen<Real>(s.cap) - widen<Real>(s.base), e = o - widen<Real>(s.base);
         const Real whole = dot(w, w);
         around(e - (dot(e, w) / whole) * w, d - (dot(d, w) / whole) * w, Real(s.radius), 0, emit);
@@ -134,7 +160,6 @@ private:
     }
     template <class Emit>
     static void meetings(const geom::Cone& s, const V& o, const V& d, Emit emit) {
-        if (s.open) throw std::invalid_argument("the oracle knows closed shapes only");
         const V w = widen<Real>(s.cap) - widen<Real>(s.base), e = o - widen<Real>(s.base);
         const Real whole = dot(w, w), slope = Real(s.cap_radius) - Real(s.base_radius);
         const Real at = dot(e, w) / whole, rate = dot(d, w) / whole;
@@ -185,17 +210,18 @@ private:
         return {p.x * scale, p.y, p.z * scale};
     }
 
-    template <class Shape>
-    static bool inside(const Shape&, const V&) {
-        throw std::invalid_argument("the oracle does not know this shape");
+    // Lathe and mesh
+    template <class Prepared>
+    static bool inside(const Prepared& s, const V& p) {
+        return s.inside(p);
     }
-    template <class Shape, class Emit>
-    static void meetings(const Shape&, const V&, const V&, Emit) {
-        throw std::invalid_argument("the oracle does not know this shape");
+    template <class Prepared, class Emit>
+    static void meetings(const Prepared& s, const V& o, const V& d, Emit emit) {
+        s.meetings(o, d, emit);
     }
-    template <class Shape>
-    static V gradient(const Shape&, int, const V&) {
-        throw std::invalid_argument("the oracle does not know this shape");
+    template <class Prepared>
+    static V gradient(const Prepared& s, int face, const V& p) {
+        return s.gradient(face, p);
     }
 
     /// |e + t d| = r
@@ -218,7 +244,7 @@ private:
         if (rate != 0) emit((distance - dot(n, o)) / rate, face);
     }
 
-    geom::Shape shape_;
+    Shape shape_;
     bool inverse_;
     V rows_[3];  // of the inverse linear map
     V shift_;

@@ -4,89 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "tests/oracle/random_shape.hpp"
 #include "tests/oracle/scene_builder.hpp"
 
 namespace meniscus::oracle {
 namespace {
 
-/// splitmix64 (Steele, Lea and Flood 2014).
-class Random {
-public:
-    /// One step takes neighbouring seeds, whose sequences would overlap, far apart.
-    explicit Random(std::uint64_t seed) : state_(seed) { state_ = next(); }
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    /// In [0, n).
-    int below(int n) { return int(next() % std::uint64_t(n)); }
-    double between(double low, double high) {
-        return low + (high - low) * (double(next() >> 11) * 0x1p-53);
-    }
-    bool chance(double p) { return between(0.0, 1.0) < p; }
-    /// A multiple of one half.
-    double lattice(double low, double high) {
-        return low + 0.5 * below(int((high - low) * 2.0) + 1);
-    }
-    geom::Vec3 lattice_point(double low, double high) {
-        const double x = lattice(low, high), y = lattice(low, high), z = lattice(low, high);
-        return {x, y, z};
-    }
-    geom::Vec3 point(double low, double high) {
-        const double x = between(low, high), y = between(low, high), z = between(low, high);
-        return {x, y, z};
-    }
-
-private:
-    std::uint64_t state_;
-};
-
 geom::Vec3 axis_of(int axis, double length) {
     geom::Vec3 result{0.0};
     result[axis] = length;
     return result;
-}
-
-struct Drawn {
-    geom::Shape shape;
-    geom::Vec3 center;
-};
-
-/// Around `origin`, in coordinates relative to it.
-geom::Shape random_shape(Random& random, const RandomSceneOptions& options,
-                         const geom::Vec3& center) {
-    for (;;) {
-        switch (random.below(10)) {
-            case 0:
-            case 1:
-            case 2:
-                return geom::Sphere{center, random.lattice(0.5, 1.5)};
-            case 3:
-            case 4:
-            case 5: {
-                const geom::Vec3 half = random.lattice_point(0.5, 1.5);
-                return geom::Box{center - half, center + half};
-            }
-            case 6:
-            case 7: {
-                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
-                return geom::Cylinder{center - half, center + half, random.lattice(0.5, 1.5),
-                                      false};
-            }
-            case 8: {
-                if (!options.cones) break;
-                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
-                const double base = random.lattice(0.5, 1.5), cap = random.lattice(0.0, 1.0);
-                if (base == cap) break;
-                return geom::Cone{center - half, base, center + half, cap, false};
-            }
-            default:
-                if (!options.tori) break;
-                return geom::Torus{random.lattice(1.0, 1.5), 0.5};
-        }
-    }
 }
 
 scene::Texture random_skin(Random& random) {
@@ -133,7 +60,10 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
 
     const geom::Vec3 angles = options.rotated ? random.point(-180.0, 180.0) : geom::Vec3{0.0};
     const auto rotation = geom::Transform::rotation_degrees(angles);
-    const auto whole = geom::Transform::scaling(geom::Vec3{options.scale})
+    const geom::Vec3 skew = options.sheared ? random.point(-0.6, 0.6) : geom::Vec3{0.0};
+    const geom::Transform shear(
+        geom::Mat3{{1.0, 0.0, 0.0}, {skew.x, 1.0, 0.0}, {skew.y, skew.z, 1.0}}, geom::Vec3{0.0});
+    const auto whole = shear.then(geom::Transform::scaling(geom::Vec3{options.scale}))
                            .then(geom::Transform::translation(options.offset));
     // The shape, whose coordinates are relative to `origin` and divided by `stretch`, into the
     // scene.
@@ -164,8 +94,9 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
             origin = geom::Vec3{0.0};
             shape = random_half_space(random);
         } else {
-            shape = random_shape(random, options, center - origin);
-            if (std::holds_alternative<geom::Torus>(shape)) origin = center;
+            const RandomShape first = random_shape(random, options, center - origin);
+            shape = first.shape;
+            if (first.at_origin) origin = center;
             if (auto* box = std::get_if<geom::Box>(&shape); box && options.stretched) {
                 for (int axis = 0; axis < 3; ++axis) {
                     const double factors[] = {0.125, 0.25, 0.5, 1.0, 3.0, 10.0};
@@ -194,7 +125,13 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
         } else {
             builder.solid(shape, interior, scene::Texture::clear_skin(), transform);
         }
-        if (options.complements && random.chance(0.1)) builder.inverse();
+        if (options.unions && random.chance(0.25)) {
+            const geom::Vec3 beside = random.lattice_point(-1.5, 1.5);
+            const RandomShape second = random_shape(random, options, geom::Vec3{0.0});
+            builder.united_with(second.shape, place(beside, geom::Vec3{1.0}));
+        } else if (options.complements && random.chance(0.1)) {
+            builder.inverse();
+        }
     }
 
     if (options.floor && random.chance(0.7)) {

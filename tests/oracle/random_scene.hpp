@@ -13,8 +13,12 @@ struct RandomSceneOptions {
     int fewest_solids = 3, most_solids = 8;
     bool rotated = false;    // all under one rotation, each solid with an origin of its own
     bool stretched = false;  // each solid under a scaling of its own
+    bool sheared = false;    // all under one shear
     bool cones = false;
     bool tori = false;
+    bool lathes = false;
+    bool meshes = false;
+    bool unions = false;          // some solids are two shapes
     bool textured = false;        // some skins with pigments, filters and highlights
     bool opaque_members = false;  // some opaque solids with a priority
     bool complements = false;     // some solids are the inverse of their shape

@@ -59,11 +59,17 @@ public:
     Tracer(const scene::Scene& scene, const Limits& limits)
         : world_(scene, limits.contact), limits_(limits) {}
 
+    const World<Real>& world() const { return world_; }
+
     /// The light at the centre of pixel (x, y).
     Rgb pixel(int x, int y, int width, int height) const {
+        return sample(Real(x) + Real(0.5), Real(y) + Real(0.5), width, height);
+    }
+
+    /// The light at a point of the film, in pixels from the top left.
+    Rgb sample(Real x, Real y, int width, int height) const {
         const scene::Camera& camera = world_.scene().camera;
-        const Real a = (Real(x) + Real(0.5)) / Real(width) - Real(0.5);
-        const Real b = Real(0.5) - (Real(y) + Real(0.5)) / Real(height);
+        const Real a = x / Real(width) - Real(0.5), b = Real(0.5) - y / Real(height);
         const V offset = a * widen<Real>(camera.right) + b * widen<Real>(camera.up);
         const V location = widen<Real>(camera.location), ahead = widen<Real>(camera.direction);
         if (camera.kind == scene::Camera::Kind::orthographic)
