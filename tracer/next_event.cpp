@@ -97,6 +97,7 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, bool boun
 
 std::optional<Event> EventFinder::sweep(TracedRay& ray, double t_max) {
     const int top = ray.interior.top(scene_);
+    const std::uint64_t leaks_before = statistics_.leaks;
     collect(ray, top, t_max, true);
     const bool was_sure = bound_is_sure_;
     const std::uint64_t false_before = statistics_.false_crossings;
@@ -111,9 +112,9 @@ std::optional<Event> EventFinder::sweep(TracedRay& ray, double t_max) {
         collect(ray, top, t_max, false);
         event = walk(ray);
     }
-    if (options_.check_segments) check_midpoint(ray, event ? event->t : geom::infinity);
+    if (options_.check_segments) check_segment(ray, event ? event->t : t_max);
     if (!event && t_max == geom::infinity) check_escape(ray);
-    return event;
+    return statistics_.leaks == leaks_before ? event : recover(ray, t_max);
 }
 
 }  // namespace meniscus::tracer

@@ -60,7 +60,9 @@ private:
     Event make_event(const TracedRay& ray, double t, const Offer& owner, const InteriorList& before,
                      const InteriorList& after) const;
     double cosine(const TracedRay& ray, const Offer& offer) const;
-    void check_midpoint(const TracedRay& ray, double t);
+    void check_segment(const TracedRay& ray, double t);
+    void check_medium(const TracedRay& ray, double t, double at);
+    std::optional<Event> recover(TracedRay& ray, double t_max);
     void check_escape(const TracedRay& ray);
 
     const RenderScene& scene_;

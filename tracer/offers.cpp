@@ -91,40 +91,49 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
 
     const double magnitude =
         std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
-    const double zone_width = tolerance(scene_, magnitude);
-    // The zone: crossings at the origin, by their distance along the normal. They are a run of the
-    // sorted crossings.
-    const auto in_zone = [&](const geom::Crossing& crossing) {
-        const double distance = std::abs(crossing.t);
-        return distance <= zone_width ||
-               (distance <= 1e-3 * magnitude &&
-                distance * cosine(ray, part, crossing.face, crossing.t) <= zone_width);
-    };
-    std::size_t zone_end = crossings_.size();
-    while (zone_end > 0 && crossings_[zone_end - 1].t > 0.0 && !in_zone(crossings_[zone_end - 1]))
-        --zone_end;
-    std::size_t zone_begin = zone_end;
-    while (zone_begin > 0 && in_zone(crossings_[zone_begin - 1])) --zone_begin;
-
-    int depth_beyond = 0;  // how deep the line is inside just behind the zone
-    for (std::size_t i = zone_end; i < crossings_.size(); ++i)
-        depth_beyond += crossings_[i].entering ? -1 : 1;
-
     const bool knows_side = part.is_member || contact != nullptr;
-    int depth = depth_beyond;
-    if (part.is_member) {
-        const int listed = ray.interior.depth(index);
-        depth = part.inverse ? 1 - listed : listed;
-    } else if (contact) {
-        depth = contact->starts_inside != part.inverse ? std::max(depth_beyond, 1) : 0;
-    }
+    const auto depth_of_ray = [&](int depth_beyond) {
+        if (part.is_member) {
+            const int listed = ray.interior.depth(index);
+            return part.inverse ? 1 - listed : listed;
+        }
+        if (contact) return contact->starts_inside != part.inverse ? std::max(depth_beyond, 1) : 0;
+        return depth_beyond;
+    };
 
-    // Of the zone, the shortest tail counts that brings the list's depth to the depth beyond.
-    std::size_t first = zone_end;
-    int tail_depth = depth_beyond;
-    while (tail_depth != depth && first > zone_begin) {
-        --first;
-        tail_depth += crossings_[first].entering ? -1 : 1;
+    // The zone: crossings at the origin, by their distance along the normal. They are a run of the
+    // sorted crossings. Of it, the shortest tail counts that brings the ray's depth to the depth
+    // beyond. At an edge or vertex a neighbour's normal may be taken for the distance, so a wider
+    // zone is tried before the ray and its place are said to disagree.
+    std::size_t zone_begin = 0, zone_end = 0, first = 0;
+    int depth_beyond = 0, depth = 0, tail_depth = 0;
+    for (const double widening : {1.0, 64.0, 4096.0}) {
+        const double zone_width = widening * tolerance(scene_, magnitude);
+        const auto in_zone = [&](const geom::Crossing& crossing) {
+            const double distance = std::abs(crossing.t);
+            return distance <= zone_width ||
+                   (distance <= 1e-3 * magnitude &&
+                    distance * cosine(ray, part, crossing.face, crossing.t) <= zone_width);
+        };
+        zone_end = crossings_.size();
+        while (zone_end > 0 && crossings_[zone_end - 1].t > 0.0 &&
+               !in_zone(crossings_[zone_end - 1]))
+            --zone_end;
+        zone_begin = zone_end;
+        while (zone_begin > 0 && in_zone(crossings_[zone_begin - 1])) --zone_begin;
+
+        depth_beyond = 0;  // how deep the line is inside just behind the zone
+        for (std::size_t i = zone_end; i < crossings_.size(); ++i)
+            depth_beyond += crossings_[i].entering ? -1 : 1;
+        depth = depth_of_ray(depth_beyond);
+
+        first = zone_end;
+        tail_depth = depth_beyond;
+        while (tail_depth != depth && first > zone_begin) {
+            --first;
+            tail_depth += crossings_[first].entering ? -1 : 1;
+        }
+        if (tail_depth == depth) break;
     }
     if (tail_depth != depth && knows_side) {
         // No tail fits: cross here as often as is missing.

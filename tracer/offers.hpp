@@ -12,7 +12,8 @@ namespace meniscus::tracer {
 /// `magnitude` is M = largest coordinate of the origin + t + largest coordinate of the solid, the
 /// scale of all rounding errors at the crossing (docs/numerics.md).
 inline double tolerance(const RenderScene& scene, double magnitude) {
-    return std::max(16.0 * geom::unit_roundoff * magnitude, scene.contact_tolerance);
+    return std::max(scene.tolerance_units * geom::unit_roundoff * magnitude,
+                    scene.contact_tolerance);
 }
 
 /// Crossings up to here may coincide along the normal with one at `t`, at grazing angles.

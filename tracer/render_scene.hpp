@@ -33,6 +33,7 @@ struct RenderScene {
     std::vector<int> bvh_parts;      // bvh primitive -> part
     std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
     double size = 1.0;               // of the finite parts' bounds
+    double tolerance_units = 16.0;   // the rounding bound of contact, in u M (docs/numerics.md)
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
     bool has_members = false;        // some solid can hold a ray
     bool has_attenuation = false;

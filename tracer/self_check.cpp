@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/next_event.hpp"
@@ -13,11 +14,30 @@ void EventFinder::check_escape(const TracedRay& ray) {
     }
 }
 
-/// Asks, halfway along the segment that ends at `t`, which solid is there, and compares with the
-/// list.
-void EventFinder::check_midpoint(const TracedRay& ray, double t) {
-    if (t == geom::infinity || t <= 0.0) return;
-    const geom::Vec3 middle = ray.ray.at(0.5 * t);
+/// Asks at inner points of the segment that ends at `t` which solid is there: halfway, and in the
+/// middle of its way through each part's bounds, where a crossing that was missed would show.
+void EventFinder::check_segment(const TracedRay& ray, double t) {
+    if (t <= 0.0) return;
+    if (t != geom::infinity) check_medium(ray, t, 0.5 * t);
+    scene_.bvh.traverse(ray.ray, t, [&](std::uint32_t primitive) {
+        const geom::Bounds& bounds = scene_.parts[scene_.bvh_parts[primitive]].shape.bounds();
+        double near = 0.0, far = t;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = ray.ray.direction[axis], o = ray.ray.origin[axis];
+            if (d == 0.0) continue;
+            const double a = (bounds.low[axis] - o) / d, b = (bounds.high[axis] - o) / d;
+            near = std::max(near, std::min(a, b));
+            far = std::min(far, std::max(a, b));
+        }
+        // Not just halfway: many a scene has its faces there.
+        if (near < far) check_medium(ray, t, near + 0.4877 * (far - near));
+    });
+}
+
+/// Compares the solid at `at`, by position alone, with the list; within rounding of a surface
+/// either answer is right.
+void EventFinder::check_medium(const TracedRay& ray, double t, double at) {
+    const geom::Vec3 p = ray.ray.at(at);
     const int listed = ray.interior.top_solid(scene_);
     double best_priority = -geom::infinity;
     bool tie = false;
@@ -25,7 +45,7 @@ void EventFinder::check_midpoint(const TracedRay& ray, double t) {
     const auto ask = [&](int index) {
         const Part& part = scene_.parts[index];
         if (!part.is_member || !is_visible(part, ray.kind)) return;
-        if (part.shape.contains(middle) == part.inverse) return;
+        if (part.shape.contains(p) == part.inverse) return;
         if (part.priority > best_priority) {
             best_priority = part.priority;
             there = part.solid;
@@ -35,21 +55,39 @@ void EventFinder::check_midpoint(const TracedRay& ray, double t) {
         }
     };
     for (const int part : scene_.unbounded) ask(part);
-    scene_.bvh.overlapping({middle, middle},
+    scene_.bvh.overlapping({p, p},
                            [&](std::uint32_t primitive) { ask(scene_.bvh_parts[primitive]); });
     if (tie || there == listed) return;
-    // Within rounding of a surface either answer is right.
     for (const Offer& offer : found_) {
-        const double distance = std::abs(offer.t - 0.5 * t);
+        const double distance = std::abs(offer.t - at);
         if (distance <= 1e-6 * offers_.magnitude(ray, offer.part, offer.t)) return;
     }
-    if (t <= 1e-6 * (geom::max_abs(ray.ray.origin) + t)) return;
+    const double scale = geom::max_abs(ray.ray.origin) + at;
+    if (at <= 1e-6 * scale || t - at <= 1e-6 * scale) return;
     const int blamed = there != outside ? there : listed;
     std::size_t object = 0;
     for (const Part& part : scene_.parts) {
         if (part.solid == blamed) object = std::size_t(part.object);
     }
-    statistics_.count_leak({object, "wrong medium", middle});
+    statistics_.count_leak({object, "wrong medium", p});
+}
+
+/// After a leak: the list at the ray's origin by position alone, and from there anew. The leak
+/// stands in the statistics once.
+std::optional<Event> EventFinder::recover(TracedRay& ray, double t_max) {
+    const Statistics counted = statistics_;
+    ray.interior = start(ray.ray, ray.kind).interior;
+    Contacts surfaces;  // what stands in no list still needs to know its side
+    for (const Contact& contact : ray.contacts) {
+        if (!scene_.parts[contact.part].is_member) surfaces.push_back(contact);
+    }
+    ray.contacts = surfaces;
+    collect(ray, ray.interior.top(scene_), t_max, false);
+    const std::optional<Event> event = walk(ray);
+    statistics_.leaks = counted.leaks;
+    statistics_.first_leaks = counted.first_leaks;
+    statistics_.leaks_by_object = counted.leaks_by_object;
+    return event;
 }
 
 }  // namespace meniscus::tracer

@@ -1,0 +1,149 @@
+// Solids that touch by what decimal numbers and transformations make of it: no film, no speckle.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/oracle/compare.hpp"
+#include "tests/oracle/random_scene.hpp"
+#include "tests/oracle/scene_builder.hpp"
+
+using namespace meniscus;
+using namespace meniscus::oracle;
+
+namespace {
+
+SceneBuilder room(const geom::Vec3& eye = {0.7, 2.1, -5.0}) {
+    SceneBuilder builder;
+    builder.camera(eye, {0.02, 0.51, 0.0}, 40.0).sky({0.1, 0.1, 0.2}, {0.9, 0.8, 0.7});
+    return builder;
+}
+
+void check_equal(const scene::Scene& scene, Picture picture = {}, double contact = 3e-14) {
+    picture.limits.contact = contact;
+    const auto difference = compare<Quad>(scene, picture);
+    INFO(difference.text());
+    CHECK(difference.leaks == 0);
+    CHECK(difference.median < 1e-9);
+    CHECK(difference.unexplained == 0);
+    CHECK(difference.off * 1000 <= difference.pixels);
+}
+
+/// Figure 3's tumbler: one hollow solid of glass, above the water in priority; the water's radius
+/// goes `into` the wall.
+scene::Scene tumbler(double into, double scale, const geom::Vec3& offset) {
+    SceneBuilder builder;
+    const auto place =
+        geom::Transform::scaling(geom::Vec3{scale}).then(geom::Transform::translation(offset));
+    builder.camera(place.point({0.0, 2.5, -7.6}), place.point({0.0, 1.08, 0.0}), 29.0)
+        .sky({0.1, 0.15, 0.2}, {0.9, 0.8, 0.7});
+    const geom::Lathe glass(
+        geom::Spline::linear,
+        {{0.0, 0.0}, {0.75, 0.0}, {0.75, 2.0}, {0.625, 2.0}, {0.625, 0.25}, {0.0, 0.25}});
+    const geom::Cylinder water{{0.0, 0.25 - into, 0.0}, {0.0, 1.5, 0.0}, 0.625 + into, false};
+    const geom::Box ice{{-0.25, 1.0, -0.25}, {0.25, 1.625, 0.25}};
+    builder.glass(glass, 1.5, 3, scene::Rgb{0.0}, place)
+        .glass(water, 1.33, 1, scene::Rgb{0.22, 0.07, 0.04} / scale, place)
+        .glass(ice, 1.31, 2, scene::Rgb{0.0}, place)
+        .glass(geom::Sphere{{0.125, 0.5, -0.125}, 0.125}, 1.0, 2.5, scene::Rgb{0.0}, place);
+    return builder.scene();
+}
+
+}  // namespace
+
+TEST_CASE("three boxes 0.333 high stand on each other at 0.333 and 0.666", "[oracle][contact]") {
+    auto stack = room();
+    for (int i = 0; i < 3; ++i) {
+        stack.glass(geom::Box{{-1, 0, -1}, {1, 0.333, 1}}, 1.3 + 0.2 * i, i + 1,
+                    {0.1 * i, 0.1, 0.0},
+                    geom::Transform::translation({0.0, std::array{0.0, 0.333, 0.666}[i], 0.0}));
+    }
+    check_equal(stack.scene());
+    // The same by other sums.
+    auto sums = room();
+    sums.glass(geom::Box{{-1, 0, -1}, {1, 0.1 + 0.2, 1}}, 1.5, 2)
+        .glass(geom::Box{{-1, 0.3, -1}, {1, 0.9, 1}}, 1.33, 1)
+        .glass(geom::Box{{-1, 0.7 + 0.2, -1}, {1, 1.2, 1}}, 1.8, 3);
+    check_equal(sums.scene());
+}
+
+TEST_CASE("a glass and its water, turned one by one by the same angle", "[oracle][contact]") {
+    const auto turn = geom::Transform::rotation_degrees({17.0, 29.0, 41.0});
+    const auto lift = geom::Transform::translation({0.0, 0.1, 0.0}).then(turn);
+    auto builder = room();
+    builder.glass(geom::Cylinder{{0, 0, 0}, {0, 1, 0}, 0.9, false}, 1.5, 1, scene::Rgb{0.0}, turn)
+        .glass(geom::Cylinder{{0, 0, 0}, {0, 0.9, 0}, 0.8, false}, 1.0, 2, scene::Rgb{0.0}, lift)
+        .glass(geom::Cylinder{{0, 0.1, 0}, {0, 0.7, 0}, 0.8, false}, 1.33, 3, {0.2, 0.1, 0.0},
+               turn);
+    check_equal(builder.scene());
+}
+
+TEST_CASE("an eighth and eight times the tolerance change no picture", "[oracle][contact]") {
+    const double factor = GENERATE(0.125, 8.0);
+    CAPTURE(factor);
+    std::size_t off = 0, unexplained = 0;
+    for (std::uint64_t seed = 2000; seed < 2024; ++seed) {
+        const RandomSceneOptions options{.rotated = seed % 2 == 1,
+                                         .cones = true,
+                                         .tori = true,
+                                         .meshes = true,
+                                         .unions = seed % 3 == 0};
+        const auto source = random_scene(seed, options);
+        auto scene = tracer::compile(source);
+        const Picture picture{.width = 24, .height = 18};
+        scene.tolerance_units *= factor;
+        const auto difference =
+            compare<Extended>(tracer::render(scene, options_for(picture)), source, picture);
+        INFO("seed " << seed << ": " << difference.text());
+        CHECK(difference.leaks == 0);
+        off += difference.off;
+        unexplained += difference.unexplained;
+    }
+    CHECK(unexplained == 0);
+    CHECK(off <= 1);
+}
+
+TEST_CASE("water at the wall of its glass and water that reaches into it are the same",
+          "[oracle][contact]") {
+    struct Place {
+        double scale;
+        geom::Vec3 offset;
+    };
+    const auto place = GENERATE(Place{1.0, geom::Vec3{0.0}}, Place{1e-6, geom::Vec3{0.0}},
+                                Place{1e6, geom::Vec3{0.0}}, Place{1.0, {1e6, 1e6, -1e6}});
+    CAPTURE(place.scale, place.offset.x);
+    const double contact = 3e-14 * place.scale + 4e-15 * geom::max_abs(place.offset);
+    Picture picture{.limits = {.depth = 10, .cutoff = 1e-3}};
+    picture.limits.contact = contact;
+    const auto at_wall = tumbler(0.0, place.scale, place.offset);
+    const auto into_wall = tumbler(0.0625, place.scale, place.offset);
+    check_equal(at_wall, picture, contact);
+    check_equal(into_wall, picture, contact);
+
+    const auto a = rendered(at_wall, picture), b = rendered(into_wall, picture);
+    const Tracer<Quad> exact(at_wall, picture.limits);
+    // How far rounding may move what is seen: see docs/numerics.md.
+    const double bound = geom::max_abs(place.offset) > 0.0
+                             ? 1e-4
+                             : 4.0 * double(std::numeric_limits<float>::epsilon());
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            double difference = 0.0;
+            for (int c = 0; c < 3; ++c)
+                difference = std::max(difference, std::abs(double(a.picture.pixel(x, y)[c]) -
+                                                           double(b.picture.pixel(x, y)[c])));
+            if (difference <= bound) continue;
+            // Then the exact picture jumps near here.
+            const auto truth = exact.pixel(x, y, picture.width, picture.height);
+            double jump = 0.0;
+            for (int i = 0; i < 16; ++i) {
+                const double angle = i * std::acos(-1.0) / 8.0, way = 1e-8 * picture.width;
+                const auto beside = exact.sample(Quad(x + 0.5 + way * std::cos(angle)),
+                                                 Quad(y + 0.5 + way * std::sin(angle)),
+                                                 picture.width, picture.height);
+                jump = std::max(jump, geom::max_abs(beside - truth));
+            }
+            INFO("(" << x << ", " << y << ") differs by " << difference);
+            CHECK(jump >= 0.5 * difference);
+        }
+    }
+}
