@@ -121,7 +121,7 @@ TEST_CASE("water at the wall of its glass and water that reaches into it are the
 
     const auto a = rendered(at_wall, picture), b = rendered(into_wall, picture);
     const Tracer<Quad> exact(at_wall, picture.limits);
-    // How far rounding may move what is seen: see docs/numerics.md.
+    // Found to hold far away, not derived: docs/numerics.md.
     const double bound = geom::max_abs(place.offset) > 0.0
                              ? 1e-4
                              : 4.0 * double(std::numeric_limits<float>::epsilon());

@@ -1,7 +1,7 @@
 // Counts leaks over random scenes of every closed shape: leak_soak FIRST SEGMENTS. Goes on from
 // seed FIRST until that many segments were followed, each checked at an inner point; one scene of
 // 61 is also rendered by the paper's method (recast), at several offsets. Prints each seed that
-// leaks, and a table at the end and every two hundred scenes.
+// leaks, and a table at the end and every twenty scenes.
 
 #include <fmt/format.h>
 
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
                 recast[epsilon].add(tracer::render(scene, papers).statistics);
             }
         }
-        if ((seed + 1 - first) % 200 == 0) print_table(seed + 1);
+        if ((seed + 1 - first) % 20 == 0) print_table(seed + 1);
     }
     print_table(seed);
     return count.leaks == 0 ? 0 : 4;
