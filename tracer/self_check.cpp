@@ -15,11 +15,15 @@ void EventFinder::check_escape(const TracedRay& ray) {
 }
 
 /// Asks at inner points of the segment that ends at `t` which solid is there: halfway, and in the
-/// middle of its way through each part's bounds, where a crossing that was missed would show.
+/// middle of its way through the bounds of a few parts, where a crossing that was missed would
+/// show.
 void EventFinder::check_segment(const TracedRay& ray, double t) {
     if (t <= 0.0) return;
     if (t != geom::infinity) check_medium(ray, t, 0.5 * t);
-    scene_.bvh.traverse(ray.ray, t, [&](std::uint32_t primitive) {
+    double end = t;
+    int asked = 0;
+    scene_.bvh.traverse(ray.ray, end, [&](std::uint32_t primitive) {
+        if (++asked == 8) end = -1.0;  // enough: each point asks every solid around it
         const geom::Bounds& bounds = scene_.parts[scene_.bvh_parts[primitive]].shape.bounds();
         double near = 0.0, far = t;
         for (int axis = 0; axis < 3; ++axis) {
