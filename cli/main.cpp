@@ -17,6 +17,7 @@
 #include "compare/comparison.hpp"
 #include "image/file.hpp"
 #include "lang/diagnostic.hpp"
+#include "povray/error.hpp"
 #include "povray/run.hpp"
 
 namespace {
@@ -51,10 +52,9 @@ ExitCode run(const std::vector<std::string>& arguments) {
     app.require_subcommand(1);
     app.footer(footer);
     const std::vector<cli::Command> commands = {
-        cli::make_render_command(app),
-        cli::make_check_command(app),
-        cli::make_inspect_command(app),
-        cli::make_compare_command(app),
+        cli::make_render_command(app),  cli::make_check_command(app),
+        cli::make_inspect_command(app), cli::make_compare_command(app),
+        cli::make_export_command(app),
     };
     auto words = cli::translate_povray_spellings(arguments);
     check_command(words, commands);
@@ -81,6 +81,10 @@ ExitCode run_and_report(const std::vector<std::string>& arguments) {
         return ExitCode::file_failed;
     } catch (const lang::SourceError& error) {
         cli::print_diagnostic(lang::format(error));
+        return ExitCode::wrong_input;
+    } catch (const povray::ExportError& error) {
+        cli::print_diagnostic(lang::format(lang::Diagnostic{
+            lang::Diagnostic::Severity::error, error.location, error.what(), {}, 0}));
         return ExitCode::wrong_input;
     } catch (const image::FileError& error) {
         cli::print_error(error.what());

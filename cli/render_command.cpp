@@ -6,13 +6,16 @@
 #include "cli/command.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/model_options.hpp"
 #include "cli/picture_options.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/tracer_options.hpp"
+#include "cli/validators.hpp"
 #include "cli/version.hpp"
+#include "povray/film.hpp"
 #include "tracer/render.hpp"
 
 namespace meniscus::cli {
@@ -23,6 +26,8 @@ struct RenderOptions {
     TracerOptions tracer;
     PictureOptions picture;
     std::string json;  // a file, or "-"
+    std::string model = "contact";
+    std::optional<double> gap;
     bool strict = false, quiet = false;
 };
 
@@ -68,6 +73,8 @@ void keep_layers(image::Image& picture, const std::vector<std::string>& names) {
 
 ExitCode run(RenderOptions options) {
     resolve_depth(options);
+    if ((options.model == "gap") != options.gap.has_value())
+        throw UsageError("--model gap and --gap G, the films' thickness, go together");
     auto target = make_target(options.picture, options.scene.stem());
     auto tracer_options = make_tracer_options(options.tracer, options.scene);
     tracer_options.layers = !target.layers.empty();
@@ -82,6 +89,11 @@ ExitCode run(RenderOptions options) {
     const auto parse = stopwatch.lap();
     if (interpreted.scene.settings.raw_output && options.picture.encoding.empty())
         target.save.png.encoding = image::Encoding::raw;
+    if (options.model == "gap") {
+        auto filmed = povray::with_films(std::move(interpreted.scene), *options.gap);
+        if (!options.quiet) print_film(filmed.thickness);
+        interpreted.scene = std::move(filmed.scene);
+    }
     const auto render_scene = tracer::compile(std::move(interpreted.scene));
     const auto build = stopwatch.lap();
 
@@ -130,6 +142,16 @@ Command make_render_command(CLI::App& app) {
     command
         ->add_option("--json", options->json, "Write what was done, as JSON; - is standard output")
         ->type_name("FILE|-");
+    command
+        ->add_option("--model", options->model,
+                     "contact: solids as the scene says; gap: with films of the outside's medium "
+                     "where one cuts another, as a gap in POV-Ray is")
+        ->check(CLI::IsMember({"contact", "gap"}))
+        ->type_name("MODEL")
+        ->capture_default_str();
+    command->add_option("--gap", options->gap, "--model gap: the films' thickness in scene units")
+        ->check(positive())
+        ->type_name("G");
     command->add_flag("--strict", options->strict,
                       "Check each ray's way through the solids; a leak is exit code 4");
     command->add_flag("--quiet", options->quiet, "No progress, no statistics");

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/model_options.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/validators.hpp"
+#include "image/file.hpp"
+#include "povray/export.hpp"
+#include "povray/film.hpp"
+
+namespace meniscus::cli {
+namespace {
+
+struct ExportOptions {
+    SceneOptions scene;
+    std::string target = "povray", model = "contact", output;
+    std::optional<double> gap, scale;
+};
+
+povray::Model model_of(const std::string& name) {
+    return name == "plain"     ? povray::Model::plain
+           : name == "contact" ? povray::Model::contact
+                               : povray::Model::gap;
+}
+
+ExitCode run(const ExportOptions& options) {
+    const auto model = model_of(options.model);
+    if (model == povray::Model::gap && !options.gap)
+        throw UsageError("--model gap needs --gap G, the films' thickness in scene units");
+    if (model != povray::Model::gap && options.gap)
+        throw UsageError("--gap belongs to --model gap");
+    const auto output = options.output.empty() ? options.scene.stem() + ".pov" : options.output;
+    image::check_writable(output);
+    const auto interpreted = read_scene(options.scene);
+    const auto exported =
+        povray::export_scene(interpreted.scene, {.model = model,
+                                                 .gap = options.gap.value_or(0.0),
+                                                 .scale = options.scale,
+                                                 .source = options.scene.file_name()});
+    image::write_file(output, exported.text);
+    if (model == povray::Model::gap)
+        print_film(povray::with_films(interpreted.scene, *options.gap).thickness);
+    if (model == povray::Model::contact)
+        fmt::print(stderr, "overlap {:.3g} scene units\n", exported.overlap);
+    fmt::print(stderr, "scale {:g}\n", exported.scale);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Command make_export_command(CLI::App& app) {
+    auto* command = app.add_subcommand("export", "Write a scene in POV-Ray's own language");
+    const auto options = std::make_shared<ExportOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_option("--to", options->target, "The language to write")
+        ->check(CLI::IsMember({"povray"}))
+        ->type_name("povray")
+        ->capture_default_str();
+    command
+        ->add_option("--model", options->model,
+                     "What stands for priorities: contact (the nested picture itself), gap (films "
+                     "between solids) or plain (nothing)")
+        ->check(CLI::IsMember({"contact", "gap", "plain"}))
+        ->type_name("MODEL")
+        ->capture_default_str();
+    command->add_option("--gap", options->gap, "--model gap: the films' thickness in scene units")
+        ->check(positive())
+        ->type_name("G");
+    command
+        ->add_option("--scale", options->scale,
+                     "Units of the export in one of the scene; default: by the scene's size")
+        ->check(positive())
+        ->type_name("S");
+    command->add_option("-o,--output", options->output, "Default: SCENE.pov; - is standard output")
+        ->type_name("OUT.pov");
+    return {command, [options] { return run(*options); }};
+}
+
+}  // namespace meniscus::cli

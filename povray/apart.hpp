@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tracer/render_scene.hpp"
+
+namespace meniscus::povray {
+
+/// Whether two parts surely keep a distance of more than `margin`. False may also mean that it is
+/// not known.
+bool are_apart(const tracer::Part& a, const tracer::Part& b, double margin);
+
+}  // namespace meniscus::povray

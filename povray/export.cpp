@@ -1,0 +1,71 @@
+#include "povray/export.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "povray/error.hpp"
+#include "povray/write_bodies.hpp"
+#include "povray/write_surroundings.hpp"
+#include "tracer/render_scene.hpp"
+
+namespace meniscus::povray {
+namespace {
+
+/// POV-Ray sees no hit nearer than 1e-4 (1e-3 in shadow rays) and nothing beyond 1e7: the scene's
+/// size becomes some 10^4.
+double natural_scale(const tracer::RenderScene& scene) {
+    geom::Bounds box = scene.bvh.bounds();
+    box.extend(scene.source.camera.location);
+    const double size = std::max(geom::max_abs(box.size()), 1e-300);
+    return std::pow(10.0, std::round(std::log10(1e4 / size)));
+}
+
+/// What POV-Ray has no word for, in any model.
+void check_outside(const scene::Scene& scene) {
+    if (scene.settings.outside.attenuates()) {
+        throw ExportError({},
+                          "the outside absorbs, which POV-Ray cannot do for rays to the sky; let a "
+                          "large solid do so");
+    }
+}
+
+const char* explanation(Model model) {
+    switch (model) {
+        case Model::plain:
+            return "as declared, without its priorities";
+        case Model::contact:
+            return "exact contact: solids overlap by a hair, and faces within others reflect "
+                   "nothing";
+        case Model::gap:
+            break;
+    }
+    return "films of the outside's medium between solids";
+}
+
+}  // namespace
+
+Exported export_scene(const scene::Scene& source, const ExportOptions& options) {
+    check_outside(source);
+    const auto scene = tracer::compile(source);
+    Exported result;
+    result.scale = options.scale.value_or(natural_scale(scene));
+    // 5e-3 of POV-Ray's units: well above the 1e-3 of its shadow rays
+    if (options.model == Model::contact) result.overlap = 5e-3 / result.scale;
+
+    Writer writer;
+    writer.line("// {}, for POV-Ray 3.7 by Meniscus:",
+                options.source.empty() ? "A scene" : options.source);
+    writer.line("// {}.", explanation(options.model));
+    if (options.model == Model::gap) writer.line("// The films are {} thick.", number(options.gap));
+    writer.line("#version 3.7;");
+    writer.line("#declare S = {};  // the scale: POV-Ray sees no hit nearer than 1e-4",
+                number(result.scale));
+    writer.blank();
+    write_surroundings(writer, source);
+    write_bodies(writer, scene, options.model,
+                 options.model == Model::gap ? options.gap : result.overlap);
+    result.text = writer.text();
+    return result;
+}
+
+}  // namespace meniscus::povray

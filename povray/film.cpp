@@ -1,0 +1,100 @@
+#include "povray/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geom/placed_shape.hpp"
+#include "inspect/sample_lines.hpp"
+#include "povray/grow.hpp"
+
+namespace meniscus::povray {
+namespace {
+
+using geom::Vec3;
+
+/// From points of the part's surface along its normal to the grown one.
+void measure(const tracer::RenderScene& scene, int index, const scene::Object& grown_object,
+             std::optional<Thickness>& thickness) {
+    const auto& part = scene.parts[std::size_t(index)];
+    const geom::PlacedShape outer(grown_object.shape, grown_object.transform);
+    const double sign = part.inverse ? -1.0 : 1.0;
+    const auto box = inspect::common_region(scene, part, part, 0.0);
+    for (const auto& line : inspect::sample_lines(box, 100)) {
+        geom::Crossings crossings;
+        part.shape.crossings(line, crossings);
+        for (const auto& crossing : crossings) {
+            geom::Ray ray;
+            ray.origin = part.shape.on_face(crossing.face, line.at(crossing.t));
+            ray.direction = sign * part.shape.normal(crossing.face, ray.origin);
+            geom::Crossings ends;
+            outer.crossings(ray, ends);
+            double nearest = geom::infinity;
+            for (const auto& end : ends) {
+                if (end.t > 0.0) nearest = std::min(nearest, end.t);
+            }
+            if (!std::isfinite(nearest)) continue;
+            if (!thickness) thickness = Thickness{nearest, nearest};
+            thickness->least = std::min(thickness->least, nearest);
+            thickness->largest = std::max(thickness->largest, nearest);
+        }
+    }
+}
+
+}  // namespace
+
+scene::Object film_part(const tracer::RenderScene& scene, const Body& body, int part, double gap) {
+    const auto& object = scene.source.objects[std::size_t(scene.parts[std::size_t(part)].object)];
+    return body.is_outside ? object : grown(object, gap);
+}
+
+Filmed with_films(scene::Scene source, double gap) {
+    const auto compiled = tracer::compile(std::move(source));
+    const Plan plan = make_plan(compiled);
+    Filmed result{compiled.source, std::nullopt};
+    scene::Scene& scene = result.scene;
+    const std::size_t clear = scene.textures.size();
+    scene.textures.push_back(scene::Texture::clear_skin());
+
+    int lowest = 0;
+    for (const Body& body : plan.bodies) lowest = std::max(lowest, body.rank);
+    const auto add_film = [&](const std::string& name, const scene::Location& location,
+                              double priority, const std::vector<scene::Object>& parts) {
+        scene::Solid film{name + "'s film", location, scene.settings.outside};
+        film.interior.priority = priority;
+        film.interior.states_ior = film.interior.states_priority = true;
+        scene.solids.push_back(film);
+        for (auto part : parts) {
+            part.solid = scene.solids.size() - 1;
+            part.texture = clear;
+            part.no_shadow = part.no_image = part.no_reflection = false;
+            scene.objects.push_back(std::move(part));
+        }
+    };
+    std::set<int> opaque;
+    for (const Body& body : plan.bodies) {
+        // ranks 0, 1, 2 become priorities from above, with room for a film below each
+        const double priority = 2.0 * (lowest - body.rank) + 2.0;
+        auto& solid = scene.solids[std::size_t(body.solid)];
+        solid.interior.priority = priority;
+        solid.interior.states_priority = true;
+        opaque.insert(body.touched.begin(), body.touched.end());
+        if (body.lower.empty() || body.is_outside) continue;
+        std::vector<scene::Object> parts;
+        for (const int part : body.parts) {
+            parts.push_back(film_part(compiled, body, part, gap));
+            measure(compiled, part, parts.back(), result.thickness);
+        }
+        add_film(solid.name, solid.location, priority - 1.0, parts);
+    }
+    for (const int part : opaque) {
+        const auto& object =
+            compiled.source.objects[std::size_t(compiled.parts[std::size_t(part)].object)];
+        const auto film = grown(object, gap);
+        measure(compiled, part, film, result.thickness);
+        add_film(object.name, object.location, 2.0 * lowest + 3.0, {film});
+    }
+    return result;
+}
+
+}  // namespace meniscus::povray

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geom/lathe.hpp"
+#include "geom/triangle_mesh.hpp"
+#include "scene/object.hpp"
+
+namespace meniscus::povray {
+
+/// The closed object with its surface moved outwards by `distance` (scene units; inwards if
+/// negative): exactly so for spheres, boxes, planes, cylinders, cones and tori under similarities,
+/// boxes and planes under any map; a stretched sphere by the distance along each axis; lathes and
+/// meshes as below; other stretched shapes by the distance where they are least stretched.
+/// Throws ExportError at the object's line where nothing sound comes out.
+scene::Object grown(const scene::Object& object, double distance);
+
+/// A profile whose control points are moved along their legs' normals, joined by mitres: exact for
+/// straight pieces, and to second order of the distance for curved ones (Tiller and Hanson 1984).
+/// Throws std::invalid_argument if the profile is too sharp for it.
+geom::Lathe offset(const geom::Lathe& lathe, double distance);
+
+/// Vertices moved along their angle-weighted normals, far enough that no face moves less. Throws
+/// std::invalid_argument where the result would meet itself.
+geom::TriangleSoup offset(const geom::TriangleMesh& mesh, double distance);
+
+}  // namespace meniscus::povray

@@ -1,0 +1,302 @@
+#include "povray/write_bodies.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "povray/error.hpp"
+#include "povray/grow.hpp"
+#include "povray/plan.hpp"
+#include "povray/write_interior.hpp"
+#include "povray/write_shape.hpp"
+#include "povray/write_texture.hpp"
+
+namespace meniscus::povray {
+namespace {
+
+using tracer::Part;
+
+/// What is taken away from a body, and the texture that its own faces get there.
+struct Cutter {
+    scene::Object object;
+    std::size_t texture;
+};
+
+class BodyWriter {
+public:
+    BodyWriter(Writer& writer, const tracer::RenderScene& scene, Model model, double hair)
+        : writer_(writer),
+          scene_(scene),
+          model_(model),
+          hair_(hair),
+          plan_(model == Model::plain ? make_plain_plan(scene) : make_plan(scene)) {}
+
+    void write() {
+        if (model_ != Model::plain) refuse_what_is_not_exact();
+        name_textures();
+        for (const int part : plan_.plain_parts) write_plain(part);
+        if (model_ == Model::contact) {
+            for (const Body& body : plan_.bodies) {
+                if (!body.is_outside && needs_name(body)) declare(body);
+            }
+        }
+        for (const Body& body : plan_.bodies) {
+            if (!body.is_outside || model_ == Model::plain) write_body(body);
+        }
+    }
+
+private:
+    const scene::Object& object(int part) const {
+        return scene_.source.objects[std::size_t(scene_.parts[std::size_t(part)].object)];
+    }
+    const scene::Solid& solid(const Body& body) const {
+        return scene_.source.solids[std::size_t(body.solid)];
+    }
+    const Body& body(int index) const { return plan_.bodies[std::size_t(index)]; }
+
+    void refuse_what_is_not_exact() const {
+        for (const Body& body : plan_.bodies) {
+            if (body.is_outside) continue;
+            const auto& interior = solid(body).interior;
+            for (const int index : body.parts) {
+                const Part& part = scene_.parts[std::size_t(index)];
+                const bool has_neighbours = !body.higher.empty() || !body.lower.empty();
+                if (has_neighbours && (part.no_image || part.no_reflection)) {
+                    throw ExportError(object(index).location,
+                                      "no_image and no_reflection on a solid that meets others "
+                                      "cannot be exported: POV-Ray would still let it cut them");
+                }
+                if (part.no_shadow && interior.attenuates()) {
+                    throw ExportError(object(index).location,
+                                      "no_shadow on an absorbing solid cannot be exported: "
+                                      "POV-Ray's shadow rays would not be absorbed");
+                }
+            }
+            if (interior.caustics != 0.0) {
+                throw ExportError(solid(body).location,
+                                  "caustics cannot be exported: POV-Ray brightens at each cut "
+                                  "face once more");
+            }
+        }
+        for (const int index : plan_.plain_parts) {
+            const Part& part = scene_.parts[std::size_t(index)];
+            if (!part.is_opaque && !plan_.bodies.empty()) {
+                throw ExportError(object(index).location,
+                                  "an open surface that lets light through cannot be exported "
+                                  "beside dielectrics: POV-Ray takes it for the bound of a solid");
+            }
+        }
+    }
+
+    /// A texture that is used more than once gets a name.
+    void name_textures() {
+        std::set<std::size_t> used;
+        for (const auto& object : scene_.source.objects) used.insert(object.texture);
+        bool needs_clear = model_ == Model::gap;
+        int count = 0;
+        for (const std::size_t index : used) {
+            const auto& texture = scene_.source.textures[index];
+            needs_clear = needs_clear || texture.clear;
+            if (!texture.clear) texture_names_[index] = fmt::format("Texture_{}", ++count);
+        }
+        if (needs_clear) declare_texture("Clear", scene::Texture::clear_skin());
+        if (model_ == Model::contact) {
+            scene::Texture silent;
+            silent.pigment.pattern = scene::SolidColor{{scene::Rgb{1.0}, 0.0, 1.0}};
+            silent.finish.ambient = scene::Rgb{0.0};
+            silent.finish.diffuse = 0.0;
+            declare_texture("Silent", silent);
+        }
+        for (const auto& [index, name] : texture_names_)
+            declare_texture(name, scene_.source.textures[index]);
+    }
+
+    void declare_texture(const std::string& name, const scene::Texture& texture) {
+        writer_.blank();
+        writer_.line("#declare {} =", name);
+        write_texture(writer_, texture);
+    }
+
+    std::string texture_name(std::size_t index) const {
+        const auto found = texture_names_.find(index);
+        return found == texture_names_.end() ? "Clear" : found->second;
+    }
+
+    void write_heading(const std::string& name, const scene::Location& location,
+                       const std::string& more) {
+        const auto slash = location.file.rfind('/');
+        const auto file =
+            slash == location.file.npos ? location.file : location.file.substr(slash + 1);
+        writer_.blank();
+        writer_.line("// {}{}{}", name,
+                     location.line > 0 ? fmt::format(" ({}:{})", file, location.line) : "", more);
+    }
+
+    static std::vector<std::string> flags(const Part& part) {
+        std::vector<std::string> words;
+        if (part.no_shadow) words.emplace_back("no_shadow");
+        if (part.no_image) words.emplace_back("no_image");
+        if (part.no_reflection) words.emplace_back("no_reflection");
+        if (part.double_illuminate) words.emplace_back("double_illuminate");
+        return words;
+    }
+
+    /// What is no dielectric: as declared; but the camera must not be inside, or POV-Ray takes it
+    /// for the medium there.
+    void write_plain(int index) {
+        const Part& part = scene_.parts[std::size_t(index)];
+        auto it = object(index);
+        if (part.shape.is_closed() && !std::holds_alternative<geom::Mesh>(it.shape) &&
+            part.shape.contains(scene_.source.camera.location) != it.inverse)
+            it.inverse = !it.inverse;
+        auto words = flags(part);
+        words.insert(words.begin(), fmt::format("texture {{ {} }}", texture_name(it.texture)));
+        write_heading(it.name, it.location, "");
+        write_shape(writer_, it, words);
+    }
+
+    double growth(const Body& body) const {
+        const bool meets = !body.higher.empty() || body.meets_opaque;
+        return model_ == Model::contact && meets ? hair_ * (1.5 + body.rank) : 0.0;
+    }
+
+    std::vector<Cutter> cutters(const Body& body) const {
+        std::vector<Cutter> result;
+        if (model_ == Model::plain) return result;
+        for (const int index : body.higher) {
+            const Body& other = this->body(index);
+            const double distance = other.is_outside       ? 0.0
+                                    : model_ == Model::gap ? hair_
+                                                           : -hair_ * (1.0 + body.rank);
+            for (const int part : other.parts) {
+                const auto& theirs = object(part);
+                const bool is_film = model_ == Model::gap && !other.is_outside;
+                result.push_back({grown(theirs, distance), is_film ? clear : theirs.texture});
+            }
+        }
+        if (model_ == Model::gap) {
+            for (const int part : body.touched)
+                result.push_back({grown(object(part), hair_), clear});
+        }
+        return result;
+    }
+
+    /// Whether faces of several textures make up the body's surface.
+    bool is_many_textured(const Body& body, const std::vector<Cutter>& cutters) const {
+        const auto name = texture_name(object(body.parts.front()).texture);
+        return std::ranges::any_of(
+                   body.parts,
+                   [&](int part) { return texture_name(object(part).texture) != name; }) ||
+               std::ranges::any_of(cutters, [&](const Cutter& cutter) {
+                   return texture_name(cutter.texture) != name;
+               });
+    }
+
+    /// The words for a texture on a face of the body: within other solids it says nothing.
+    std::vector<std::string> skin(const Body& body, const std::string& texture) const {
+        std::vector<std::string> words{fmt::format("texture {{ {} }}", texture)};
+        if (model_ != Model::contact) return words;
+        std::vector<std::string> others;
+        for (const auto* list : {&body.higher, &body.lower}) {
+            for (const int other : *list) {
+                if (!this->body(other).is_outside) others.push_back(this->body(other).name);
+            }
+        }
+        if (others.empty()) return words;
+        std::string around;
+        if (others.size() == 1) {
+            around = others.front();
+        } else {
+            around = "union {";
+            for (const auto& other : others) around += fmt::format(" object {{ {} }}", other);
+            around += " }";
+        }
+        words.push_back(fmt::format(
+            "interior_texture {{ object {{ {} texture {{ {} }} texture {{ Silent }} }} }}", around,
+            texture));
+        return words;
+    }
+
+    /// The body's region: its parts, larger by a hair where it meets others, minus what is above.
+    void write_region(const Body& body, const std::vector<Cutter>& cutters, bool with_skins,
+                      const std::vector<std::string>& words) {
+        const double distance = growth(body);
+        std::vector<scene::Object> parts;
+        for (const int part : body.parts) parts.push_back(grown(object(part), distance));
+        const auto child_words = [&](std::size_t texture) {
+            return with_skins ? skin(body, texture_name(texture)) : std::vector<std::string>{};
+        };
+        const auto write_parts = [&](const std::vector<std::string>& last) {
+            if (parts.size() == 1) {
+                auto lines = child_words(parts.front().texture);
+                lines.insert(lines.end(), last.begin(), last.end());
+                return write_shape(writer_, parts.front(), lines);
+            }
+            writer_.open("merge");
+            for (const auto& part : parts) write_shape(writer_, part, child_words(part.texture));
+            for (const auto& line : last) writer_.line("{}", line);
+            writer_.close();
+        };
+        if (cutters.empty()) return write_parts(words);
+        writer_.open("difference");
+        write_parts({});
+        for (const auto& cutter : cutters) {
+            if (cutter.object.name != object(body.parts.front()).name)
+                writer_.line("// minus {}", cutter.object.name);
+            write_shape(writer_, cutter.object, child_words(cutter.texture));
+        }
+        for (const auto& line : words) writer_.line("{}", line);
+        writer_.close();
+    }
+
+    bool needs_name(const Body& body) const {
+        const auto is_exported = [&](int other) { return !this->body(other).is_outside; };
+        return std::ranges::any_of(body.higher, is_exported) ||
+               std::ranges::any_of(body.lower, is_exported);
+    }
+
+    void declare(const Body& body) {
+        write_heading(body.name, solid(body).location, ", its region");
+        writer_.line("#declare {} =", body.name);
+        write_region(body, cutters(body), false, {});
+    }
+
+    void write_body(const Body& body) {
+        const auto& it = solid(body);
+        write_heading(body.name, it.location,
+                      fmt::format(", priority {}", number(it.interior.priority)));
+        const auto cut = cutters(body);
+        const bool many = is_many_textured(body, cut);
+        std::vector<std::string> words;
+        if (!many) words = skin(body, texture_name(object(body.parts.front()).texture));
+        words.push_back(interior(it, scene_.source.settings.outside, model_));
+        words.emplace_back("hollow");
+        const auto more = flags(scene_.parts[std::size_t(body.parts.front())]);
+        words.insert(words.end(), more.begin(), more.end());
+        if (model_ == Model::contact && needs_name(body) && !many) {
+            writer_.open("object");
+            writer_.line("{}", body.name);
+            for (const auto& line : words) writer_.line("{}", line);
+            writer_.close();
+        } else {
+            write_region(body, cut, many, words);
+        }
+    }
+
+    static constexpr std::size_t clear = std::size_t(-1);  // has no name of its own: "Clear"
+
+    Writer& writer_;
+    const tracer::RenderScene& scene_;
+    Model model_;
+    double hair_;
+    Plan plan_;
+    std::map<std::size_t, std::string> texture_names_;
+};
+
+}  // namespace
+
+void write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model, double hair) {
+    BodyWriter(writer, scene, model, hair).write();
+}
+
+}  // namespace meniscus::povray
