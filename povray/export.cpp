@@ -49,8 +49,8 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
     const auto scene = tracer::compile(source);
     Exported result;
     result.scale = options.scale.value_or(natural_scale(scene));
-    // 5e-3 of POV-Ray's units: well above the 1e-3 of its shadow rays
-    if (options.model == Model::contact) result.overlap = 5e-3 / result.scale;
+    // in POV-Ray's units: above the 1e-3 of its shadow rays, and no more than needed
+    if (options.model == Model::contact) result.overlap = 2e-3 / result.scale;
 
     Writer writer;
     writer.line("// {}, for POV-Ray 3.7 by Meniscus:",

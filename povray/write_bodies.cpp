@@ -5,6 +5,7 @@
 #include <set>
 
 #include "povray/error.hpp"
+#include "povray/flush.hpp"
 #include "povray/grow.hpp"
 #include "povray/plan.hpp"
 #include "povray/write_interior.hpp"
@@ -156,7 +157,8 @@ private:
     }
 
     double growth(const Body& body) const {
-        const bool meets = !body.higher.empty() || body.meets_opaque;
+        // All that meet: where air of a higher priority cuts both, each must reach beyond the cut.
+        const bool meets = !body.higher.empty() || !body.lower.empty() || body.meets_opaque;
         return model_ == Model::contact && meets ? hair_ * (1.5 + body.rank) : 0.0;
     }
 
@@ -171,7 +173,9 @@ private:
             for (const int part : other.parts) {
                 const auto& theirs = object(part);
                 const bool is_film = model_ == Model::gap && !other.is_outside;
-                result.push_back({grown(theirs, distance), is_film ? clear : theirs.texture});
+                const Cutter cutter{grown(theirs, distance), is_film ? clear : theirs.texture};
+                result.push_back(cutter);
+                if (!is_film) extend(body, part, cutter, result);
             }
         }
         if (model_ == Model::gap) {
@@ -179,6 +183,21 @@ private:
                 result.push_back({grown(object(part), hair_), clear});
         }
         return result;
+    }
+
+    /// A cutter that ends flush with the body also cuts what lies behind that face.
+    void extend(const Body& body, int part, const Cutter& cutter,
+                std::vector<Cutter>& result) const {
+        const double reach = hair_ * (4.0 + 2.0 * body.rank);
+        for (const int mine : body.parts) {
+            for (const auto& normal : flush_normals(scene_, scene_.parts[std::size_t(part)],
+                                                    scene_.parts[std::size_t(mine)])) {
+                result.push_back(cutter);
+                auto& moved = result.back().object;
+                moved.transform =
+                    moved.transform.then(geom::Transform::translation(reach * normal));
+            }
+        }
     }
 
     /// Whether faces of several textures make up the body's surface.

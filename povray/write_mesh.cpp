@@ -38,12 +38,14 @@ void write_vectors(Writer& writer, std::string_view word, const std::vector<Vec3
     writer.close();
 }
 
+/// Turned round: POV-Ray takes the side that a left-handed turn looks at for the outer one, and
+/// chooses the interior_texture by it.
 void write_indices(Writer& writer, std::string_view word, const Indices& indices) {
     writer.open(word);
     writer.line("{},", indices.size());
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const auto& [a, b, c] = indices[i];
-        writer.line("<{}, {}, {}>{}", a, b, c, i + 1 < indices.size() ? "," : "");
+        writer.line("<{}, {}, {}>{}", a, c, b, i + 1 < indices.size() ? "," : "");
     }
     writer.close();
 }
