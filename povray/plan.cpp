@@ -57,7 +57,7 @@ int compare(const RenderScene& scene, const Part& a, const Part& b) {
     // matter.
     if (is_nested(scene, a, b)) return 1;
     if (is_nested(scene, b, a) || first.interior.same_medium(second.interior)) return -1;
-    if (!inspect::meet(scene, a, b, sample_lines).shared) return -1;
+    if (!inspect::meet(scene, a, b, sample_lines).overlap) return -1;
     throw ExportError(scene.source.objects[std::size_t(b.object)].location,
                       fmt::format("'{}' and '{}' overlap with the same priority {}: which of them "
                                   "is there depends on the ray, which no export can say; give one "

@@ -9,7 +9,8 @@ using namespace scene;
 
 void write_settings(Writer& writer, const Settings& settings) {
     writer.open("global_settings");
-    writer.line("assumed_gamma {}", number(settings.working_gamma));
+    const WorkingSpace& space = settings.working_space;
+    writer.line("assumed_gamma {}", space.is_srgb ? "srgb" : number(space.gamma));
     writer.line("max_trace_level {}", settings.max_trace_level.value_or(5));
     writer.line("adc_bailout {}", number(settings.adc_bailout.value_or(1.0 / 255.0)));
     if (settings.ambient_light != Rgb{1.0})
