@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -22,7 +23,8 @@ struct CompareOptions {
     std::vector<std::string> inputs;  // two pictures, or scenes
     SceneOptions scene{
         .scene = {}, .width = 320, .height = 240, .declarations = {}, .library_paths = {}};
-    std::string povray_source;
+    std::string povray_source, model;
+    std::optional<double> gap, scale;
     compare::Settings settings;
     std::optional<double> tolerance;
     int runs = 1;
@@ -52,6 +54,9 @@ std::string own_command_line(const CompareOptions& options,
         for (const auto& declaration : options.scene.declarations) add({"--declare", declaration});
         for (const auto& path : options.scene.library_paths) add({"-L", path});
         if (!options.povray_source.empty()) add({"--povray", options.povray_source});
+        if (!options.model.empty()) add({"--model", options.model});
+        if (options.gap) add({"--gap", fmt::format("{}", *options.gap)});
+        if (options.scale) add({"--scale", fmt::format("{}", *options.scale)});
     } else if (options.settings.clip) {
         add({"--clip"});
     }
@@ -89,12 +94,27 @@ SceneComparison compare_pictures(const CompareOptions& options) {
     return result;
 }
 
+/// POV-Ray reads its own files as they are; all else is exported.
+std::optional<povray::Model> model_of(const CompareOptions& options, const std::string& scene) {
+    using enum povray::Model;
+    if (options.model == "source") return std::nullopt;
+    if (options.model == "plain") return plain;
+    if (options.model == "gap") return gap;
+    if (options.model == "contact") return contact;
+    const bool is_povrays = std::filesystem::path(scene).extension() == ".pov";
+    return is_povrays ? std::nullopt : std::optional(contact);
+}
+
 SceneComparison compare_scene(const CompareOptions& options, const std::string& scene) {
-    SceneComparisonOptions one{.scene = options.scene,
-                               .reference = options.povray_source,
-                               .settings = options.settings,
-                               .runs = options.runs,
-                               .explain = !options.report.empty()};
+    SceneComparisonOptions one{
+        .scene = options.scene,
+        .reference = options.povray_source,
+        .model = options.povray_source.empty() ? model_of(options, scene) : std::nullopt,
+        .gap = options.gap.value_or(0.0),
+        .scale = options.scale,
+        .settings = options.settings,
+        .runs = options.runs,
+        .explain = !options.report.empty()};
     one.scene.scene = scene;
     return compare_scene(one);
 }
@@ -145,6 +165,11 @@ void check_usage(const CompareOptions& options) {
         throw UsageError("compare takes two pictures (.png, .exr), or scenes");
     if (pictures > 0 && !options.povray_source.empty())
         throw UsageError("--povray goes with a scene, not with two pictures");
+    if ((options.model == "gap") != options.gap.has_value())
+        throw UsageError("--model gap and --gap G go together");
+    if (!options.povray_source.empty() && !options.model.empty())
+        throw UsageError(
+            "--povray and --model exclude each other: the one is read, the other exported");
     const bool is_one = pictures == 2 || options.inputs.size() == 1;
     if (!is_one &&
         !(options.output.empty() && options.report.empty() && options.povray_source.empty()))
@@ -166,11 +191,11 @@ void check_usage(const CompareOptions& options) {
 
 /// Each to its file; the table to standard output.
 ExitCode run_sweep(const CompareOptions& options) {
-    if (options.inputs.size() != 1 || options.povray_source.empty())
-        throw UsageError("--sweep-gap needs one scene, and --povray with the same scene and a gap");
+    if (options.inputs.size() != 1) throw UsageError("--sweep-gap takes one scene");
     SweepOptions sweep_options{.scene = options.scene,
                                .gapped = options.povray_source,
                                .gaps = parse_gaps(options.sweep),
+                               .scale = options.scale,
                                .threshold = options.settings.threshold};
     sweep_options.scene.scene = options.inputs.front();
     const auto sweep = sweep_gaps(sweep_options);
@@ -218,10 +243,22 @@ Command make_compare_command(CLI::App& app) {
         ->required()
         ->type_name("");
     add_scene_settings(*command, o->scene);
-    command
-        ->add_option("--povray", o->povray_source,
-                     "What POV-Ray renders for a scene; default: the scene itself")
+    command->add_option("--povray", o->povray_source, "A source of its own for POV-Ray")
         ->type_name("FILE.pov");
+    command
+        ->add_option("--model", o->model,
+                     "What POV-Ray renders: the export as contact (default), gap (films between "
+                     "solids, for both) or plain, or the scene as it is (source; default for .pov)")
+        ->check(CLI::IsMember({"contact", "gap", "plain", "source"}))
+        ->type_name("MODEL");
+    command->add_option("--gap", o->gap, "--model gap: the films' thickness in scene units")
+        ->check(positive())
+        ->type_name("G");
+    command
+        ->add_option("--scale", o->scale,
+                     "Units of the export in one of the scene; default: by the scene's size")
+        ->check(positive())
+        ->type_name("S");
     command->add_option("--runs", o->runs, "Times are the median of N runs")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
@@ -252,9 +289,10 @@ Command make_compare_command(CLI::App& app) {
         ->type_name("FILE|-");
     const auto sweep = "Gap";
     command
-        ->add_option("--sweep-gap", o->sweep,
-                     "What a gap between the media costs: for each width, POV-Ray and Meniscus "
-                     "render --povray's scene with Declare=Gap=WIDTH, beside the scene in contact")
+        ->add_option(
+            "--sweep-gap", o->sweep,
+            "What a gap between the media costs: for each width both render --model gap, or "
+            "--povray's scene with Declare=Gap=WIDTH, beside the scene in contact")
         ->type_name("FROM:TO[:STEPS]")
         ->group(sweep);
     command->add_option("--csv", o->csv, "The sweep's numbers")->type_name("FILE")->group(sweep);

@@ -8,6 +8,7 @@
 #include "compare/ray_tree_regions.hpp"
 #include "inspect/diagram.hpp"
 #include "inspect/text_report.hpp"
+#include "povray/film.hpp"
 #include "povray/run.hpp"
 #include "tracer/render.hpp"
 
@@ -51,32 +52,67 @@ struct PovRaySide {
     std::vector<std::string> command;
 };
 
-PovRaySide render_by_povray(const SceneComparisonOptions& options) {
+std::string_view name(povray::Model model) {
+    using enum povray::Model;
+    return model == plain ? "plain" : model == contact ? "contact" : "gap";
+}
+
+/// What POV-Ray is to render: a file, or the export of a scene.
+struct Source {
+    std::string file, text;
+    std::string export_command;  // makes `file` of the scene; empty if it is there anyhow
+};
+
+Source make_source(const SceneComparisonOptions& options, const scene::Scene& scene) {
+    if (!options.reference.empty()) return {options.reference, {}, {}};
+    if (!options.model) return {options.scene.scene, {}, {}};
+    const auto file = options.scene.stem() + ".pov";
+    std::vector<std::string> words = {"export",  options.scene.scene,
+                                      "--to",    "povray",
+                                      "--model", std::string(name(*options.model)),
+                                      "-o",      file};
+    if (options.gap > 0.0) words.insert(words.end(), {"--gap", fmt::format("{}", options.gap)});
+    if (options.scale) words.insert(words.end(), {"--scale", fmt::format("{}", *options.scale)});
+    const auto exported = povray::export_scene(scene, {.model = *options.model,
+                                                       .gap = options.gap,
+                                                       .scale = options.scale,
+                                                       .source = options.scene.file_name()});
+    return {file, exported.text, meniscus_line(words, options.scene)};
+}
+
+PovRaySide render_by_povray(const SceneComparisonOptions& options, const Source& source) {
     povray::RunOptions run{.width = options.scene.width,
                            .height = options.scene.height,
                            .declares = {},
                            .library_paths = {}};
-    for (const auto& declaration : options.scene.declarations) {
-        const auto equals = declaration.find('=');
-        run.declares.emplace_back(declaration.substr(0, equals), declaration.substr(equals + 1));
+    if (source.text.empty()) {
+        for (const auto& declaration : options.scene.declarations) {
+            const auto equals = declaration.find('=');
+            run.declares.emplace_back(declaration.substr(0, equals),
+                                      declaration.substr(equals + 1));
+        }
+        for (const auto& path : options.scene.library_paths) run.library_paths.emplace_back(path);
     }
-    for (const auto& path : options.scene.library_paths) run.library_paths.emplace_back(path);
-
-    const auto& file = options.reference.empty() ? options.scene.scene : options.reference;
     std::vector<double> seconds;
     povray::Run result;
     for (int i = 0; i < options.runs; ++i) {
-        result = povray::run(file, run);
+        result = source.text.empty() ? povray::run(source.file, run)
+                                     : povray::run_text(source.text, run);
         seconds.push_back(result.cpu_seconds);
     }
-    // The picture was taken from standard output; whoever repeats it wants a file.
+    // The picture was taken from standard output, the export from a file of the moment.
     std::ranges::replace(result.command, "+O-", "+Opovray.ppm");
-    PovRaySide povray{
-        {.name = "POV-Ray",
-         .picture = std::move(result.picture),
-         .facts = {{"scene", file}, {"CPU seconds of the trace stage", seconds_fact(seconds)}},
-         .command = command_line(result.command)},
-        result.command};
+    for (auto& word : result.command)
+        if (!source.text.empty() && word.starts_with("+I")) word = "+I" + source.file;
+    PovRaySide povray{{.name = "POV-Ray",
+                       .picture = std::move(result.picture),
+                       .facts = {{"scene", source.text.empty() ? source.file
+                                                               : fmt::format("exported, model {}",
+                                                                             name(*options.model))},
+                                 {"CPU seconds of the trace stage", seconds_fact(seconds)}},
+                       .command = command_line(result.command)},
+                      result.command};
+    if (options.gap > 0.0) povray.side.facts.emplace_back("gap", fmt::format("{}", options.gap));
     for (const auto& warning : result.warnings) povray.side.facts.emplace_back("warning", warning);
     return povray;
 }
@@ -135,8 +171,13 @@ std::vector<Explanation> explain(const SceneComparisonOptions& options,
 SceneComparison compare_scene(const SceneComparisonOptions& given) {
     // Where both read one file, `#ifdef (Meniscus)` in it tells them apart.
     auto options = given;
-    if (options.reference.empty()) options.scene.declarations.emplace_back("Meniscus=1");
-    const auto scene = tracer::compile(read_scene(options.scene).scene);
+    if (options.reference.empty() && !options.model)
+        options.scene.declarations.emplace_back("Meniscus=1");
+    auto source_scene = read_scene(options.scene).scene;
+    const auto source = make_source(given, source_scene);
+    if (options.model == povray::Model::gap)
+        source_scene = povray::with_films(std::move(source_scene), options.gap).scene;
+    const auto scene = tracer::compile(std::move(source_scene));
     tracer::Options tracer_options;
     tracer_options.width = options.scene.width;
     tracer_options.height = options.scene.height;
@@ -144,7 +185,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
     tracer_options.tree = tracer::Tree::whitted;
     tracer_options.threads = 1;  // for its time to be beside POV-Ray's of one thread
 
-    auto povray = render_by_povray(given);
+    auto povray = render_by_povray(given, source);
     auto ours = render_by_meniscus(options, scene, tracer_options);
     auto regions = compare::regions_by_ray_trees(scene, tracer_options, ours.picture);
     auto settings = options.settings;
@@ -158,8 +199,12 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
                                 options.scene.width, options.scene.height)},
         {"ray tree",
          "whitted: max_trace_level and adc_bailout of the scene, with POV-Ray's meaning"}};
-    result.words.commands = {{"POV-Ray's picture:", result.comparison.reference.command},
-                             {"Meniscus' picture:", result.comparison.picture.command}};
+    if (!source.export_command.empty())
+        result.words.commands.push_back({"POV-Ray's source:", source.export_command});
+    const std::vector<compare::Command> pictures = {
+        {"POV-Ray's picture:", result.comparison.reference.command},
+        {"Meniscus' picture:", result.comparison.picture.command}};
+    result.words.commands.insert(result.words.commands.end(), pictures.begin(), pictures.end());
     if (options.explain)
         result.words.explanations =
             explain(options, scene, tracer_options, result.comparison, povray.command);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/scene_options.hpp"
 #include "compare/report.hpp"
+#include "povray/export.hpp"
 
 namespace meniscus::cli {
 
@@ -15,7 +17,10 @@ struct SceneComparison {
 
 struct SceneComparisonOptions {
     SceneOptions scene;
-    std::string reference;  // what POV-Ray reads; empty: the scene itself
+    std::string reference;               // a source for POV-Ray; empty: see `model`
+    std::optional<povray::Model> model;  // what is exported for it; none: it reads the scene itself
+    double gap = 0.0;                    // Model::gap: scene units, for both renderers
+    std::optional<double> scale;         // of the export; default: by the scene's size
     compare::Settings settings;
     int runs = 1;          // times are the median of so many runs
     bool explain = false;  // add the ray trees of the worst pixels

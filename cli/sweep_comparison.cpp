@@ -6,19 +6,21 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/validators.hpp"
+#include "povray/export.hpp"
+#include "povray/film.hpp"
 #include "povray/run.hpp"
 #include "tracer/render.hpp"
 
 namespace meniscus::cli {
 namespace {
 
-tracer::Rendered render(const SceneOptions& options) {
+tracer::Rendered render(const SceneOptions& options, scene::Scene scene) {
     tracer::Options tracer_options;
     tracer_options.width = options.width;
     tracer_options.height = options.height;
     tracer_options.sampling = tracer::GridSampling{1};
     tracer_options.threads = 1;
-    return tracer::render(tracer::compile(read_scene(options).scene), tracer_options);
+    return tracer::render(tracer::compile(std::move(scene)), tracer_options);
 }
 
 /// As POV-Ray's picture is.
@@ -27,30 +29,62 @@ image::Image clipped(image::Image picture) {
     return picture;
 }
 
-compare::SweepRow measure_gap(const SweepOptions& options, double gap,
-                              const image::Image& contact) {
+/// What both render of one width.
+struct Pair {
+    tracer::Rendered ours;
+    std::optional<povray::Run> theirs;
+    std::string failure;
+};
+
+Pair render_source(const SweepOptions& options, double gap) {
     const auto text = fmt::format("{}", gap);
     auto gapped = options.scene;
     gapped.scene = options.gapped;
     gapped.declarations.push_back("Gap=" + text);
     gapped.declarations.emplace_back("Meniscus=1");
-    const auto ours = render(gapped);
-    const auto film = clipped(ours.picture);
+    Pair pair{render(gapped, read_scene(gapped).scene), {}, {}};
+    try {
+        pair.theirs = povray::run(options.gapped, {.width = gapped.width,
+                                                   .height = gapped.height,
+                                                   .declares = {{"Gap", text}},
+                                                   .library_paths = {}});
+    } catch (const povray::RunFailed& error) {
+        pair.failure = error.what();
+    }
+    return pair;
+}
 
+Pair render_export(const SweepOptions& options, const scene::Scene& scene, double gap) {
+    Pair pair{
+        render(options.scene, gap > 0.0 ? povray::with_films(scene, gap).scene : scene), {}, {}};
+    try {
+        const auto exported = povray::export_scene(
+            scene, {.model = gap > 0.0 ? povray::Model::gap : povray::Model::contact,
+                    .gap = gap,
+                    .scale = gap > 0.0 ? options.scale : std::nullopt,
+                    .source = options.scene.file_name()});
+        pair.theirs = povray::run_text(exported.text, {.width = options.scene.width,
+                                                       .height = options.scene.height,
+                                                       .declares = {},
+                                                       .library_paths = {}});
+    } catch (const povray::RunFailed& error) {
+        pair.failure = error.what();
+    }
+    return pair;
+}
+
+compare::SweepRow measure_gap(const Pair& pair, double gap, double threshold,
+                              const image::Image& contact) {
+    const auto film = clipped(pair.ours.picture);
     compare::SweepRow row;
     row.gap = gap;
-    row.meniscus = compare::measure(contact, film, options.threshold);
-    row.meniscus_seconds = ours.cpu_seconds;
-    try {
-        const auto theirs = povray::run(options.gapped, {.width = gapped.width,
-                                                         .height = gapped.height,
-                                                         .declares = {{"Gap", text}},
-                                                         .library_paths = {}});
-        row.film = compare::measure(film, theirs.picture, options.threshold);
-        row.povray = compare::measure(contact, theirs.picture, options.threshold);
-        row.povray_seconds = theirs.cpu_seconds;
-    } catch (const povray::RunFailed& error) {
-        row.failure = error.what();
+    row.meniscus = compare::measure(contact, film, threshold);
+    row.meniscus_seconds = pair.ours.cpu_seconds;
+    row.failure = pair.failure;
+    if (pair.theirs) {
+        row.film = compare::measure(film, pair.theirs->picture, threshold);
+        row.povray = compare::measure(contact, pair.theirs->picture, threshold);
+        row.povray_seconds = pair.theirs->cpu_seconds;
     }
     return row;
 }
@@ -80,7 +114,8 @@ std::vector<double> parse_gaps(const std::string& text) {
 }
 
 compare::Sweep sweep_gaps(const SweepOptions& options) {
-    const auto contact = clipped(render(options.scene).picture);
+    const auto scene = read_scene(options.scene).scene;
+    const auto contact = clipped(render(options.scene, scene).picture);
     compare::Sweep sweep{
         fmt::format("{} with a gap, {} x {} pixel centres", options.scene.file_name(),
                     options.scene.width, options.scene.height),
@@ -89,7 +124,9 @@ compare::Sweep sweep_gaps(const SweepOptions& options) {
     gaps.push_back(0.0);
     for (const double gap : gaps) {
         fmt::print(stderr, "gap {:g}\n", gap);
-        sweep.rows.push_back(measure_gap(options, gap, contact));
+        const auto pair = options.gapped.empty() ? render_export(options, scene, gap)
+                                                 : render_source(options, gap);
+        sweep.rows.push_back(measure_gap(pair, gap, options.threshold, contact));
     }
     return sweep;
 }

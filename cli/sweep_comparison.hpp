@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,17 @@ namespace meniscus::cli {
 
 struct SweepOptions {
     SceneOptions scene;  // the solids in contact: the truth
-    std::string gapped;  // the same with a gap of `Gap`, for POV-Ray and for Meniscus
+    std::string gapped;  // the same with a gap of `Gap`, for both; empty: the gap model's export
     std::vector<double> gaps;
+    std::optional<double> scale;  // of the export
     double threshold = 0.01;
 };
 
 /// "1e-1:1e-9", or "1e-1:1e-9:2" for two steps a decade. Throws `UsageError`.
 std::vector<double> parse_gaps(const std::string& text);
 
-/// Renders all gaps and no gap (0) by both. Prints a line of progress for each to standard error.
+/// Renders all gaps and no gap (0; of an export it is the contact model) by both. Prints a line of
+/// progress for each to standard error.
 compare::Sweep sweep_gaps(const SweepOptions& options);
 
 }  // namespace meniscus::cli

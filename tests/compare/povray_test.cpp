@@ -94,3 +94,30 @@ TEST_CASE("a sweep finds where POV-Ray's gap breaks and Meniscus' does not", "[c
     CHECK_THAT(program.read("s.svg"), Contains("<svg"));
     CHECK_THAT(program.read("s.md"), Contains("| 1e-06 |"));
 }
+
+TEST_CASE("a nested scene is exported and its picture matched", "[compare]") {
+    const Program program;
+    program.write("nest.scene", R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 20 adc_bailout 1e-4 }
+camera { location <0, 0, -4> look_at 0 right x * image_width / image_height }
+background { color rgb <0.2, 0.5, 0.9> }
+plane { y, -1.5 pigment { checker color rgb 0.9 color rgb 0.2 } finish { ambient 1 diffuse 0 } }
+sphere { 0, 1 material { ior 1.5 priority 1 } }
+sphere { 0, 0.8 material { ior 1.33 priority 2 } }
+)");
+    const auto outside_edges = [&](const std::string& model) {
+        const auto result = program.run("compare nest.scene -W 80 -H 60 --json - --model " + model);
+        INFO(result.err);
+        REQUIRE(result.exit_code == 0);
+        return Json::parse(result.out)
+            .at("comparisons")
+            .at(0)
+            .at("regions")
+            .at("inside glass")
+            .at("rmse")
+            .get<double>();
+    };
+    // POV-Ray's values come in steps of 1/65535.
+    CHECK(outside_edges("contact") < 1e-4);
+    CHECK(outside_edges("gap --gap 1e-3") < 1e-4);
+}
