@@ -63,6 +63,7 @@ void find_lost_sky(const RenderScene& scene, const Names&, std::vector<Finding>&
     Finding finding;
     if (!has_sky(scene.source)) finding.severity = Finding::Severity::note;
     finding.lint = "sky-absorbed";
+    finding.location = scene.source.settings.outside_location;
     finding.text = fmt::format(
         "the space outside everything absorbs, and the sky is infinitely far away: background and "
         "sky_sphere are 0 in {}",

@@ -84,6 +84,7 @@ void read_global_settings(Cursor& cursor) {
             const auto interior = read_interior(inner, {});
             if (interior.refusal) throw SourceError(at, "the space outside cannot hold this");
             settings.outside = interior.interior;
+            settings.outside_location = at.location();
             cursor.advance();
         } else if (!read_ignored(cursor)) {
             cursor.fail_unknown();

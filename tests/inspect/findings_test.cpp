@@ -22,6 +22,8 @@ TEST_CASE("each finding has a scene that shows it alone", "[inspect]") {
         CHECK(finding.at("lint") == entry.path().stem().string());
         CHECK_THAT(finding.at("file").get<std::string>(),
                    Catch::EndsWith(entry.path().filename().string()));
+        CHECK(finding.at("line") > 0);
+        CHECK(finding.at("column") > 0);
         CHECK_FALSE(finding.at("advice").get<std::string>().empty());
         CHECK(result.exit_code == (finding.at("severity") == "warning" ? 4 : 0));
     }
