@@ -127,8 +127,8 @@ TEST_CASE("hand-written gaps and our films look the same", "[povray]") {
 }
 
 // Off by more than 0.01 are 0.75 % of the pixels, all in the rim and the heel of the glass, where
-// light is totally reflected again and again; the glass alone differs as much (1.1 %): POV-Ray's
-// hits on a lathe are good to 1e-4 of a piece.
+// light is totally reflected again and again; the glass alone, without anything in
+// it, differs as much (1.1 %). Which of the two renderers is off there is not known.
 TEST_CASE("the paper's glass of water, in contact, looks the same in POV-Ray", "[povray]") {
     check(std::filesystem::path(EXAMPLES_FOLDER) / "glass_of_water.scene",
           {povray::Model::contact, 0.0, 5e-5, 0.9, "contact"});
