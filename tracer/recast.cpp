@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/next_event.hpp"
@@ -20,7 +21,6 @@ struct NearestHit {
 /// InteriorMode::off there is no list: each surface bounds its own solid against the outside.
 std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
     const bool keeps_list = options_.interior == InteriorMode::recast;
-    const double epsilon = options_.recast_epsilon * scene_.size;
     TracedRay leg = ray;
     double travelled = 0.0;
     geom::Crossings crossings;
@@ -29,6 +29,9 @@ std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
         ++statistics_.casts;
         ++stamp_;
         NearestHit nearest;
+        // Nor what is nearer than the origin's rounding: a cast from there would never get on.
+        const double epsilon = std::max(options_.recast_epsilon * scene_.size,
+                                        0x1p-50 * geom::max_abs(leg.ray.origin));
         double limit = t_max - travelled;
         const auto see = [&](int index) {
             if (visited_[index] == stamp_) return;

@@ -72,6 +72,8 @@ scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options)
         if (stretch != geom::Vec3{1.0}) transform = geom::Transform::scaling(stretch);
         if (origin != geom::Vec3{0.0})
             transform = transform.then(geom::Transform::translation(origin));
+        if (options.scattered)
+            transform = transform.then(geom::Transform::translation(random.point(-0.2, 0.2)));
         return transform.then(rotation).then(whole);
     };
 

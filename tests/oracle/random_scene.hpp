@@ -6,14 +6,15 @@
 
 namespace meniscus::oracle {
 
-/// What a random scene may hold. All its coordinates and sizes are multiples of one half, so that
-/// shared faces, edges and points of tangency are the rule; the camera and the lamp are not on that
-/// lattice.
+/// What a random scene may hold. All its coordinates and sizes are multiples of one half (unless
+/// scattered), so that shared faces, edges and points of tangency are the rule; the camera and the
+/// lamp are not on that lattice.
 struct RandomSceneOptions {
     int fewest_solids = 3, most_solids = 8;
     bool rotated = false;    // all under one rotation, each solid with an origin of its own
     bool stretched = false;  // each solid under a scaling of its own
     bool sheared = false;    // all under one shear
+    bool scattered = false;  // each solid moved off the lattice: nothing coincides
     bool cones = false;
     bool tori = false;
     bool lathes = false;
