@@ -19,5 +19,6 @@ Command make_check_command(CLI::App& app);
 Command make_inspect_command(CLI::App& app);
 Command make_compare_command(CLI::App& app);
 Command make_export_command(CLI::App& app);
+Command make_bench_command(CLI::App& app);
 
 }  // namespace meniscus::cli

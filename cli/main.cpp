@@ -54,7 +54,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
     const std::vector<cli::Command> commands = {
         cli::make_render_command(app),  cli::make_check_command(app),
         cli::make_inspect_command(app), cli::make_compare_command(app),
-        cli::make_export_command(app),
+        cli::make_export_command(app),  cli::make_bench_command(app),
     };
     auto words = cli::translate_povray_spellings(arguments);
     check_command(words, commands);

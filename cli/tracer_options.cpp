@@ -82,6 +82,8 @@ std::string describe(const tracer::ContrastSampling& s) {
 
 }  // namespace
 
+tracer::InteriorMode interior_mode(std::string_view name) { return named(modes, name); }
+
 void add_tracer_options(CLI::App& app, TracerOptions& o) {
     const auto last = CLI::MultiOptionPolicy::TakeLast;
 
@@ -177,7 +179,7 @@ tracer::Options make_tracer_options(const TracerOptions& options, const SceneOpt
     result.region = make_region(options, scene.width, scene.height);
     result.sampling = make_sampling(options);
     if (!options.tree.empty()) result.tree = named(trees, options.tree);
-    result.interior = named(modes, options.interior);
+    result.interior = interior_mode(options.interior);
     if (options.depth) result.depth = *options.depth;
     result.cutoff = options.cutoff;
     result.seed = options.seed;

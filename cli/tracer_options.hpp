@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/scene_options.hpp"
@@ -25,6 +26,9 @@ struct TracerOptions {
     std::uint64_t seed = 0;
     int threads = 0;
 };
+
+/// Of `--interior`. Throws `UsageError` for other names.
+tracer::InteriorMode interior_mode(std::string_view name);
 
 void add_tracer_options(CLI::App& app, TracerOptions& options);
 

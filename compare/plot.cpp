@@ -135,12 +135,13 @@ std::string mark(std::size_t kind, double x, double y) {
 void draw_series(std::string& out, const Series& series, std::size_t kind, const Axis& x_axis,
                  const Axis& y_axis) {
     std::string line, marks;
-    for (const auto& point : series.points) {
-        if (!(point.x > 0.0 && point.y > 0.0)) continue;
-        const double x = x_axis.place(point.x), y = y_axis.place(point.y);
-        line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, y);
-        if (series.marks) marks += mark(kind, x, y);
-    }
+    for (const auto& point : series.line.value_or(series.points))
+        if (point.x > 0.0 && point.y > 0.0)
+            line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x_axis.place(point.x),
+                                y_axis.place(point.y));
+    for (const auto& point : series.points)
+        if (series.marks && point.x > 0.0 && point.y > 0.0)
+            marks += mark(kind, x_axis.place(point.x), y_axis.place(point.y));
     const auto color = colors[kind % colors.size()];
     fmt::format_to(std::back_inserter(out),
                    "<g class=\"curve\"><title>{}</title><path fill=\"none\" stroke=\"{}\" "

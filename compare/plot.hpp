@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Series {
     std::string name;
     std::vector<Point> points;
     bool dashed = false, marks = true;
+    std::optional<std::vector<Point>> line = {};  // where it is not to go from point to point
 };
 
 /// Both axes are logarithmic, in whole powers of ten.
