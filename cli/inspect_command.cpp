@@ -18,7 +18,8 @@ namespace {
 struct InspectOptions {
     SceneOptions scene;
     int x = 0, y = 0;
-    tracer::Options tracer{.region = {}, .tree = tracer::Tree::whitted, .progress = {}};
+    tracer::Options tracer{
+        .region = {}, .tree = tracer::Tree::whitted, .instruction_set = {}, .progress = {}};
     std::string svg;  // a file, or "-"
     bool json = false;
 };

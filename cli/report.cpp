@@ -80,6 +80,10 @@ std::string leak_lines(const Report& report) {
     return text;
 }
 
+std::string kernel(const tracer::Rendered& rendered) {
+    return rendered.why_general.empty() ? "lanes" : "general: " + rendered.why_general;
+}
+
 }  // namespace
 
 std::string format_statistics(const Report& report) {
@@ -95,6 +99,7 @@ std::string format_statistics(const Report& report) {
     text += fmt::format("casts      {}", in_words(double(s.casts)));
     if (report.render.wall > 0.0)
         text += fmt::format(", {} a second", in_words(double(s.casts) / report.render.wall));
+    text += fmt::format("\nkernel     {}", kernel(rendered));
     text += fmt::format("\ncrossings  true {}, false {}\n", s.true_crossings, s.false_crossings);
     text += leak_lines(report);
     text +=
@@ -124,6 +129,8 @@ std::string format_json(const Report& report) {
                     {"reflected", s.reflected_rays},
                     {"refracted", s.refracted_rays},
                     {"shadow", s.shadow_rays}};
+    json["kernel"] = kernel(rendered);
+    json["single_rays"] = s.single_rays;
     json["casts"] = s.casts;
     json["segments"] = s.segments;
     json["deepest_level"] = s.deepest_level;

@@ -7,6 +7,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/validators.hpp"
+#include "lanes/kernel.hpp"
 
 namespace meniscus::cli {
 namespace {
@@ -140,6 +141,14 @@ void add_tracer_options(CLI::App& app, TracerOptions& o) {
         ->check(CLI::IsMember(names(modes)))
         ->type_name("MODE")
         ->group("Light");
+    auto kernels = lanes::instruction_sets();
+    kernels.insert(kernels.begin(), {"automatic", "general"});
+    app.add_option("--kernel", o.kernel,
+                   "Code that follows rays: automatic (in lanes where the scene allows it), general "
+                   "(one at a time), or lanes of this instruction set")
+        ->check(CLI::IsMember(kernels))
+        ->type_name("KERNEL")
+        ->group("Light");
     app.add_option("--cutoff", o.cutoff, "--tree full: branches of lower weight are dropped")
         ->check(not_negative())
         ->type_name("WEIGHT")
@@ -180,6 +189,11 @@ tracer::Options make_tracer_options(const TracerOptions& options, const SceneOpt
     result.sampling = make_sampling(options);
     if (!options.tree.empty()) result.tree = named(trees, options.tree);
     result.interior = interior_mode(options.interior);
+    if (options.kernel == "general") {
+        result.kernel = tracer::Kernel::general;
+    } else if (options.kernel != "automatic") {
+        result.instruction_set = options.kernel;
+    }
     if (options.depth) result.depth = *options.depth;
     result.cutoff = options.cutoff;
     result.seed = options.seed;

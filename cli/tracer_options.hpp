@@ -21,6 +21,7 @@ struct TracerOptions {
     std::optional<double> start_column, start_row, end_column, end_row;  // POV-Ray's region
     std::string tree;  // empty: implied by the sampling
     std::string interior = "sweep";
+    std::string kernel = "automatic";
     std::optional<int> depth;
     double cutoff = tracer::Options{}.cutoff;
     std::uint64_t seed = 0;

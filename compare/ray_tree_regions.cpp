@@ -63,12 +63,11 @@ public:
 
     std::vector<Signature> row(int y) {
         std::vector<Signature> result;
-        tracer::RandomStream random(0);
         for (int x = 0; x < options_.width; ++x) {
             record_.clear();
             const auto ray = tracer::camera_ray(scene_.source.camera, x + 0.5, y + 0.5,
                                                 options_.width, options_.height);
-            tree_.radiance(ray, random);
+            tree_.radiance(ray, 0);
             result.push_back(signature(scene_, record_, tree_.first_hit));
         }
         return result;

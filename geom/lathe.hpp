@@ -33,6 +33,7 @@ public:
 
     Spline spline() const { return spline_; }
     const std::vector<Vec2>& points() const { return points_; }
+    const Profile& profile() const { return *profile_; }
 
     bool is_closed() const;
     Bounds bounds() const;

@@ -38,14 +38,13 @@ PixelTrace trace_ray(const tracer::RenderScene& scene, const Names& names,
     tracer::RayTree ray_tree(scene, options, statistics);
     tracer::TreeRecord record;
     ray_tree.record = &record;
-    tracer::RandomStream random(tracer::mix(options.seed));
 
     PixelTrace trace;
     trace.width = options.width;
     trace.height = options.height;
     trace.tree = tracer::implied_tree(options);
     trace.interior = options.interior;
-    trace.color = ray_tree.radiance(ray, random);
+    trace.color = ray_tree.radiance(ray, tracer::mix(options.seed));
     trace.leaks = statistics.leaks;
     for (const TreeNode& node : record) {
         trace.segments.push_back(

@@ -23,4 +23,6 @@ struct Color {
 /// POV-Ray's grey: 0.297 r + 0.589 g + 0.114 b.
 inline double gray(const Rgb& c) { return 0.297 * c.r + 0.589 * c.g + 0.114 * c.b; }
 
+inline double max_channel(const Rgb& c) { return glm::max(c.r, glm::max(c.g, c.b)); }
+
 }  // namespace meniscus::scene

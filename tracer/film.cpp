@@ -30,13 +30,13 @@ constexpr auto channels = std::to_array<Channel>({
 }  // namespace
 
 void Pixel::add(const scene::Rgb& light, double weight) {
-    if (samples++ % 2 == 0) {
-        even += weight * light;
-        even_weight += weight;
-    } else {
-        odd += weight * light;
-        odd_weight += weight;
-    }
+    add_half(samples % 2 == 1, weight * light, weight, 1);
+}
+
+void Pixel::add_half(bool to_odd, const scene::Rgb& light, double weight, int count) {
+    (to_odd ? odd : even) += light;
+    (to_odd ? odd_weight : even_weight) += weight;
+    samples += count;
 }
 
 scene::Rgb Pixel::mean() const {

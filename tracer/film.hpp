@@ -18,6 +18,8 @@ struct Pixel {
     int samples = 0;
 
     void add(const scene::Rgb& light, double weight = 1.0);
+    /// The sum of several samples that belong to one half.
+    void add_half(bool to_odd, const scene::Rgb& light, double weight, int count);
     scene::Rgb mean() const;
     /// Squared standard error of the mean, averaged over the channels, as the two halves show it.
     double squared_error() const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -21,6 +22,12 @@ enum class Tree {
     whitted,  // every branch, under max_trace_level and adc_bailout with POV-Ray's meaning
     full,     // every branch, to `depth` and `cutoff`
     sampled   // unbiased: both branches while the weight is high, then one by chance
+};
+
+/// Which code follows the rays. Pictures are equal to rounding.
+enum class Kernel {
+    automatic,  // lanes where the scene allows it
+    general     // one ray at a time: any scene, any option
 };
 
 /// k x k midpoints of a pixel, box filter; k = 1 is the pixel centre.
@@ -60,6 +67,8 @@ struct Options {
     std::optional<Tree>
         tree;  // default: whitted with GridSampling and ContrastSampling, else sampled
     InteriorMode interior = InteriorMode::sweep;
+    Kernel kernel = Kernel::automatic;
+    std::string instruction_set;   // of the lanes: lanes::instruction_sets(); empty: the best
     double recast_epsilon = 1e-9;  // recast and off: how far from its origin a ray must have come,
                                    // times the scene's size
     int depth = 100;               // full and sampled: segments of one path

@@ -4,24 +4,16 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "lanes/chance.hpp"
 #include "tracer/attenuation.hpp"
 #include "tracer/fresnel.hpp"
-#include "tracer/pigment.hpp"
+#include "tracer/shading.hpp"
+#include "tracer/sky.hpp"
 
 namespace meniscus::tracer {
-namespace {
 
 using geom::Vec3;
 using scene::Rgb;
-
-double max_channel(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
-
-/// Below this weight Tree::sampled follows one branch by chance instead of both.
-constexpr double split_above = 0.35;
-/// Below this weight Tree::sampled lets a path survive by chance.
-constexpr double roulette_below = 0.02;
-
-}  // namespace
 
 RayTree::RayTree(const RenderScene& scene, const Options& options, Statistics& statistics)
     : scene_(scene),
@@ -37,28 +29,29 @@ RayTree::RayTree(const RenderScene& scene, const Options& options, Statistics& s
                                         : 0.0;
 }
 
-scene::Rgb RayTree::radiance(const geom::Ray& camera_ray, RandomStream& random) {
+scene::Rgb RayTree::radiance(const geom::Ray& camera_ray, std::uint64_t key) {
     ++statistics_.camera_rays;
-    return radiance(finder_.start(camera_ray, RayKind::image), random);
+    return radiance(finder_.start(camera_ray, RayKind::image), key);
 }
 
-scene::Rgb RayTree::radiance(const TracedRay& ray, RandomStream& random) {
+scene::Rgb RayTree::radiance(const TracedRay& ray, std::uint64_t key) {
     first_hit = {};
     Pending first;
     first.ray = ray;
-    return follow(std::move(first), random);
+    first.key = key;
+    return follow(std::move(first));
 }
 
 /// Works the stack off down to where it stood: a call within a call (POV-Ray's reflection exponent)
 /// leaves the rest alone.
-scene::Rgb RayTree::follow(Pending first, RandomStream& random) {
+scene::Rgb RayTree::follow(Pending first) {
     Rgb sum{0.0};
     const std::size_t floor = stack_.size();
     stack_.push_back(std::move(first));
     while (stack_.size() > floor) {
         Pending pending = std::move(stack_.back());
         stack_.pop_back();
-        step(std::move(pending), random, sum);
+        step(std::move(pending), sum);
     }
     return sum;
 }
@@ -67,7 +60,7 @@ bool RayTree::is_cut(const Pending& pending) const {
     return pending.level >= max_level_ || pending.weight < min_weight_;
 }
 
-void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
+void RayTree::step(Pending pending, Rgb& sum) {
     int node = -1;
     const auto begin_node = [&](const Pending& start) {
         if (!record) return;
@@ -103,7 +96,7 @@ void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
         const int solid = event ? event->solid_before : pending.ray.interior.top_solid(scene_);
         const scene::Interior& around = medium(scene_, solid);
         if (!event) {
-            const Rgb light = sky(pending.ray.ray.direction, around);
+            const Rgb light = sky(scene_.source, pending.ray.ray.direction, around);
             if (record) record->at(node).own_color = light;
             sum += pending.throughput * light;
             return;
@@ -126,6 +119,7 @@ void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
             // Nothing is there to see: go on in the same medium, which fades on from where it was.
             if (record) record->at(node).is_surface = false;
             Pending on = transmitted(pending, *event, pending.ray.ray.direction, true, node);
+            on.key = pending.key;
             on.way_before = way;
             pending = std::move(on);
             begin_node(pending);
@@ -138,9 +132,9 @@ void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
         }
         if (around.attenuates()) pending.throughput *= transmittance(around, way);
         if (texture.clear) {
-            shade_clear(pending, *event, node, random);
+            shade_clear(pending, *event, node);
         } else {
-            shade_textured(pending, *event, node, random, sum);
+            shade_textured(pending, *event, node, sum);
         }
         return;
     }
@@ -149,16 +143,8 @@ void RayTree::step(Pending pending, RandomStream& random, Rgb& sum) {
 RayTree::Pending RayTree::reflected(const Pending& parent, const Event& event,
                                     const Vec3& shading_normal, int node) const {
     Pending child;
-    const Vec3& direction = parent.ray.ray.direction;
-    Vec3 mirrored = reflect(direction, shading_normal);
-    // A smooth normal may send the ray below the real surface: it is reflected there once more, as
-    // POV-Ray does.
-    const Vec3 raw = glm::dot(event.normal, direction) < 0.0 ? event.normal : -event.normal;
-    const double below = glm::dot(mirrored, raw);
-    if (below < 0.0 && shading_normal != event.normal)
-        mirrored = glm::normalize(mirrored - 2.0 * below * raw);
     child.ray.ray = event.origin;
-    child.ray.ray.direction = mirrored;
+    child.ray.ray.direction = mirrored(parent.ray.ray.direction, event.normal, shading_normal);
     child.ray.interior = event.before;
     child.ray.contacts = event.contacts;
     child.ray.birth_magnitude = event.magnitude;
@@ -166,6 +152,7 @@ RayTree::Pending RayTree::reflected(const Pending& parent, const Event& event,
     child.throughput = parent.throughput;
     child.weight = parent.weight;
     child.level = parent.level;
+    child.key = lanes::reflected_key(parent.key);
     child.parent = node;
     child.branch = TreeNode::Branch::reflected;
     return child;
@@ -183,6 +170,7 @@ RayTree::Pending RayTree::transmitted(const Pending& parent, const Event& event,
     child.throughput = parent.throughput;
     child.weight = parent.weight;
     child.level = parent.level;
+    child.key = lanes::transmitted_key(parent.key);
     child.straight = straight;
     child.parent = node;
     child.branch = straight ? TreeNode::Branch::straight : TreeNode::Branch::refracted;
@@ -191,33 +179,27 @@ RayTree::Pending RayTree::transmitted(const Pending& parent, const Event& event,
 
 void RayTree::branch(Pending& parent, std::optional<Pending> reflected, const Rgb& reflectance,
                      double reflected_weight, std::optional<Pending> transmitted,
-                     const Rgb& transmittance, double transmitted_weight, RandomStream& random) {
-    if (tree_ == Tree::sampled && parent.weight < split_above && reflected && transmitted) {
-        // One of the two, with the probability of its share: what goes on keeps the sum of their
-        // weights.
-        const double r = max_channel(reflectance), t = max_channel(transmittance);
-        if (r + t > 0.0) {
-            const double p = r / (r + t);
-            if (random.next() < p) {
-                reflected->throughput /= p;
-                reflected_weight /= p;
-                transmitted.reset();
-            } else {
-                transmitted->throughput /= 1.0 - p;
-                transmitted_weight /= 1.0 - p;
-                reflected.reset();
-            }
-        }
+                     const Rgb& transmittance, double transmitted_weight) {
+    if (tree_ == Tree::sampled) {
+        const lanes::Branches branches = lanes::choose(
+            reflected.has_value(), scene::max_channel(reflectance), transmitted.has_value(),
+            scene::max_channel(transmittance), parent.weight, parent.key);
+        if (!branches.mirror) reflected.reset();
+        if (!branches.through) transmitted.reset();
+        if (reflected) reflected->throughput *= branches.mirror_gain;
+        if (transmitted) transmitted->throughput *= branches.through_gain;
+        reflected_weight *= branches.mirror_gain;
+        transmitted_weight *= branches.through_gain;
     }
     const auto push = [&](Pending& child, const Rgb& factor, double weight) {
         child.throughput *= factor;
         child.weight *= weight;
         if (child.throughput == Rgb{0.0}) return;
-        if (tree_ == Tree::sampled && child.weight < roulette_below) {
-            const double survival = std::max(child.weight / roulette_below, 0.05);
-            if (random.next() >= survival) return;
-            child.throughput /= survival;
-            child.weight /= survival;
+        if (tree_ == Tree::sampled) {
+            const double gain = lanes::survive(child.weight, child.key);
+            if (gain == 0.0) return;
+            child.throughput *= gain;
+            child.weight *= gain;
         }
         if (child.branch == TreeNode::Branch::reflected) {
             ++statistics_.reflected_rays;
@@ -232,7 +214,7 @@ void RayTree::branch(Pending& parent, std::optional<Pending> reflected, const Rg
 
 /// The boundary of two media and nothing else: exact Fresnel reflection and refraction, energy
 /// conserved.
-void RayTree::shade_clear(Pending& pending, const Event& event, int node, RandomStream& random) {
+void RayTree::shade_clear(Pending& pending, const Event& event, int node) {
     const Vec3& direction = pending.ray.ray.direction;
     const Part& part = scene_.parts[event.part];
     Vec3 normal = part.shape.shading_normal(event.face, event.origin.origin);
@@ -257,29 +239,7 @@ void RayTree::shade_clear(Pending& pending, const Event& event, int node, Random
         if (refracted) through = transmitted(pending, event, *refracted, straight, node);
     }
     branch(pending, std::move(mirror), Rgb{reflectance}, reflectance, std::move(through),
-           Rgb{transmittance}, transmittance, random);
-}
-
-/// The sky is at infinity: a medium out there that absorbs leaves nothing of it.
-scene::Rgb RayTree::sky(const Vec3& direction, const scene::Interior& around) const {
-    const scene::Scene& scene = scene_.source;
-    Rgb light = scene.background.rgb;
-    for (const scene::Pigment& pigment : scene.sky_sphere.pigments) {
-        const scene::Color color = evaluate(pigment, direction);
-        light =
-            scene.sky_sphere.emission * color.opacity() * color.rgb + color.transparency() * light;
-    }
-    for (int i = 0; i < 3; ++i) {
-        if (around.absorption[i] > 0.0) light[i] = 0.0;
-        if (!around.fade.is_active()) continue;
-        const double left = around.fade.color[i];
-        if (around.fade.power >= 1000.0) {
-            if (left < 1.0) light[i] = 0.0;
-        } else {
-            light[i] *= around.fade.power == 0.0 ? 0.5 * (1.0 + left) : left;
-        }
-    }
-    return light;
+           Rgb{transmittance}, transmittance);
 }
 
 }  // namespace meniscus::tracer

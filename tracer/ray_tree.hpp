@@ -5,6 +5,7 @@
 
 #include "tracer/next_event.hpp"
 #include "tracer/sampler.hpp"
+#include "tracer/shading.hpp"
 
 namespace meniscus::tracer {
 
@@ -44,16 +45,17 @@ class RayTree {
 public:
     RayTree(const RenderScene& scene, const Options& options, Statistics& statistics);
 
-    /// The light that comes back along a camera ray. `random` is asked in Tree::sampled only.
-    scene::Rgb radiance(const geom::Ray& camera_ray, RandomStream& random);
+    /// The light that comes back along a camera ray. What chance decides (in Tree::sampled only) is
+    /// a function of `key`.
+    scene::Rgb radiance(const geom::Ray& camera_ray, std::uint64_t key);
     /// The same, for a ray that starts with a list.
-    scene::Rgb radiance(const TracedRay& ray, RandomStream& random);
+    scene::Rgb radiance(const TracedRay& ray, std::uint64_t key);
 
     EventFinder& events() { return finder_; }
     FirstHit first_hit;            // of the latest radiance()
     TreeRecord* record = nullptr;  // where to write the tree down, if anyone wants it
 
-private:
+    /// A ray that waits for its turn.
     struct Pending {
         TracedRay ray;
         scene::Rgb throughput{1.0};
@@ -64,19 +66,21 @@ private:
         double way_before =
             0.0;  // scene units already covered in this medium since the last surface
         int parent = -1;
+        std::uint64_t key = 0;  // what chance decides about it is a function of this
         TreeNode::Branch branch = TreeNode::Branch::camera;
     };
 
-    scene::Rgb follow(Pending first, RandomStream& random);
-    void step(Pending pending, RandomStream& random, scene::Rgb& sum);
-    void shade_clear(Pending& pending, const Event& event, int node, RandomStream& random);
-    void shade_textured(Pending& pending, const Event& event, int node, RandomStream& random,
-                        scene::Rgb& sum);
-    scene::Rgb lit(const TracedRay& ray, const Event& event, const geom::Vec3& normal,
-                   const scene::Texture& texture, const scene::Color& color);
-    scene::Rgb unshadowed(const TracedRay& ray, const Event& event, const geom::Vec3& direction,
-                          double distance, bool from_behind);
-    scene::Rgb sky(const geom::Vec3& direction, const scene::Interior& around) const;
+    /// The light of a ray and of all that comes of it, times its throughput.
+    scene::Rgb follow(Pending first);
+    /// What is left of a light at `distance` after the solids on the way: straight on, through the
+    /// true crossings only. Zero behind anything opaque. `way` scene units in the medium lie behind
+    /// the ray.
+    scene::Rgb unshadowed(TracedRay shadow, double distance, double way = 0.0);
+
+private:
+    void step(Pending pending, scene::Rgb& sum);
+    void shade_clear(Pending& pending, const Event& event, int node);
+    void shade_textured(Pending& pending, const Event& event, int node, scene::Rgb& sum);
 
     Pending reflected(const Pending& parent, const Event& event, const geom::Vec3& shading_normal,
                       int node) const;
@@ -87,13 +91,14 @@ private:
     /// where the weight is low.
     void branch(Pending& parent, std::optional<Pending> reflected, const scene::Rgb& reflectance,
                 double reflected_weight, std::optional<Pending> transmitted,
-                const scene::Rgb& transmittance, double transmitted_weight, RandomStream& random);
+                const scene::Rgb& transmittance, double transmitted_weight);
 
     const RenderScene& scene_;
     const Options& options_;
     Statistics& statistics_;
     EventFinder finder_;
     std::vector<Pending> stack_;
+    std::vector<LightTerm> spare_lights_;
     Tree tree_;
     int max_level_;
     double min_weight_;

@@ -11,11 +11,13 @@
 
 #include "tracer/camera_rays.hpp"
 #include "tracer/film.hpp"
+#include "tracer/lane_host.hpp"
+#include "tracer/lane_program.hpp"
 
 namespace meniscus::tracer {
 namespace {
 
-constexpr int tile_size = 16;
+constexpr int small_tile = 16, large_tile = 32;  // pixels; rays one at a time, or in lanes
 constexpr int most_samples = 4096;
 
 double cpu_seconds() {
@@ -34,10 +36,16 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// What one thread needs to follow rays.
 struct Worker {
-    Worker(const RenderScene& scene, const Options& options) : tree(scene, options, statistics) {}
+    Worker(const RenderScene& scene, const Options& options, const lanes::Program* program)
+        : tree(scene, options, statistics) {
+        if (program) host.emplace(scene, options, *program, tree, statistics);
+    }
     Statistics statistics;
     RayTree tree;
+    std::optional<LaneHost> host;  // if rays go in lanes
+    std::vector<Sample> samples;
 };
 
 /// Runs passes over the film, tile by tile on all cores. A pixel belongs to one tile, so no result
@@ -48,8 +56,18 @@ public:
         : scene_(scene),
           options_(options),
           film_(options),
-          workers_([&] { return std::make_unique<Worker>(scene, options); }) {}
+          program_(options.kernel == Kernel::general ? NoLanes{"asked for"}
+                                                     : make_lane_program(scene, options)),
+          workers_([&] {
+              return std::make_unique<Worker>(scene, options,
+                                              std::get_if<lanes::Program>(&program_));
+          }) {}
 
+    /// Why rays go one at a time; empty: they go in lanes.
+    std::string why_general() const {
+        const auto* none = std::get_if<NoLanes>(&program_);
+        return none ? none->reason : std::string();
+    }
     Film& film() { return film_; }
     const Statistics& statistics() const { return statistics_; }
     bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
@@ -60,11 +78,13 @@ public:
         options_.progress(std::min(share, 1.0));
     }
 
-    /// Calls shade(tree, x, y) for every pixel. The finished share goes from `share_from` to
-    /// `share_to`.
-    template <class Shade>
-    void pass(double share_from, double share_to, Shade&& shade) {
+    /// Follows the samples that plan(x, y, out) wants of each pixel: a list of where in the pixel
+    /// and with what weight, each with a number of its own. The finished share goes from
+    /// `share_from` to `share_to`.
+    template <class Plan>
+    void pass(double share_from, double share_to, Plan&& plan) {
         const Region region = film_.region();
+        const int tile_size = std::holds_alternative<NoLanes>(program_) ? small_tile : large_tile;
         const int across = (film_.width() + tile_size - 1) / tile_size;
         const int down = (film_.height() + tile_size - 1) / tile_size;
         std::vector<Statistics> by_tile(std::size_t(across) * down);
@@ -75,9 +95,12 @@ public:
             worker.statistics = {};
             const int x0 = region.x0 + tile % across * tile_size,
                       y0 = region.y0 + tile / across * tile_size;
-            for (int y = y0; y < std::min(y0 + tile_size, region.y1); ++y) {
-                for (int x = x0; x < std::min(x0 + tile_size, region.x1); ++x)
-                    shade(worker.tree, x, y);
+            const Region window{x0, y0, std::min(x0 + tile_size, region.x1),
+                                std::min(y0 + tile_size, region.y1)};
+            if (worker.host) {
+                follow_in_lanes(worker, window, plan);
+            } else {
+                follow_singly(worker, window, plan);
             }
             by_tile[tile] = worker.statistics;
             report(share_from + (share_to - share_from) * ++finished / (across * down));
@@ -85,54 +108,101 @@ public:
         for (const Statistics& statistics : by_tile) statistics_.add(statistics);
     }
 
-    scene::Rgb trace(RayTree& tree, int x, int y, double u, double v, std::uint64_t sample) {
-        const std::uint64_t pixel = std::uint64_t(y) * 0x100000000ull + std::uint64_t(x);
-        RandomStream random(mix(mix(mix(options_.seed) + pixel) + sample));
-        return tree.radiance(
-            camera_ray(scene_.source.camera, x + u, y + v, options_.width, options_.height),
-            random);
-    }
-
-    void add_grid(RayTree& tree, int x, int y, int k) {
-        Pixel& pixel = film_.at(x, y);
-        for (int j = 0; j < k; ++j) {
-            for (int i = 0; i < k; ++i) {
-                pixel.add(
-                    trace(tree, x, y, (i + 0.5) / k, (j + 0.5) / k, std::uint64_t(j) * k + i));
-                if (i == 0 && j == 0) pixel.first_hit = tree.first_hit;
+    template <class Plan>
+    void follow_singly(Worker& worker, const Region& window, Plan&& plan) {
+        for (int y = window.y0; y < window.y1; ++y) {
+            for (int x = window.x0; x < window.x1; ++x) {
+                worker.samples.clear();
+                plan(x, y, worker.samples);
+                Pixel& pixel = film_.at(x, y);
+                for (const Sample& sample : worker.samples) {
+                    const geom::Ray ray = camera_ray(scene_.source.camera, sample.x, sample.y,
+                                                     options_.width, options_.height);
+                    pixel.add(worker.tree.radiance(ray, sample.key), sample.weight);
+                    if (pixel.samples == 1) pixel.first_hit = worker.tree.first_hit;
+                }
             }
         }
     }
 
+    /// All samples of a window at once. Each half of a pixel has a sum of its own.
+    template <class Plan>
+    void follow_in_lanes(Worker& worker, const Region& window, Plan&& plan) {
+        const int width = window.x1 - window.x0, height = window.y1 - window.y0;
+        worker.samples.clear();
+        struct Half {
+            double weight = 0.0;
+            int count = 0;
+        };
+        std::vector<Half> halves(std::size_t(2 * width * height));
+        for (int y = window.y0; y < window.y1; ++y) {
+            for (int x = window.x0; x < window.x1; ++x) {
+                const std::size_t first = worker.samples.size();
+                plan(x, y, worker.samples);
+                int number = film_.at(x, y).samples;
+                const int pixel = (y - window.y0) * width + (x - window.x0);
+                for (std::size_t i = first; i < worker.samples.size(); ++i, ++number) {
+                    Sample& sample = worker.samples[i];
+                    sample.target = std::uint32_t(2 * pixel + number % 2);
+                    halves[sample.target].weight += sample.weight;
+                    ++halves[sample.target].count;
+                }
+            }
+        }
+        if (worker.samples.empty()) return;
+        worker.host->run(worker.samples, halves.size());
+        const double unit = 1.0 / std::get<lanes::Program>(program_).units;
+        for (std::size_t i = 0; i < halves.size(); ++i) {
+            if (halves[i].count == 0) continue;
+            const std::int64_t* sum = &worker.host->sums()[4 * i];
+            const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit,
+                                   double(sum[2]) * unit};
+            const int pixel = int(i / 2);
+            film_.at(window.x0 + pixel % width, window.y0 + pixel / width)
+                .add_half(i % 2 == 1, light, halves[i].weight, halves[i].count);
+        }
+    }
+
+    Sample sample_at(int x, int y, double u, double v, std::uint64_t number) const {
+        const std::uint64_t pixel = std::uint64_t(y) * 0x100000000ull + std::uint64_t(x);
+        return {.x = x + u, .y = y + v, .key = mix(mix(mix(options_.seed) + pixel) + number)};
+    }
+
+    void add_grid(int x, int y, int k, std::vector<Sample>& out) const {
+        for (int j = 0; j < k; ++j) {
+            for (int i = 0; i < k; ++i)
+                out.push_back(
+                    sample_at(x, y, (i + 0.5) / k, (j + 0.5) / k, std::uint64_t(j) * k + i));
+        }
+    }
+
     /// Goes on in the pixel's own low-discrepancy set until it has `count` samples.
-    void add_samples(RayTree& tree, int x, int y, int count) {
-        Pixel& pixel = film_.at(x, y);
+    void add_samples(int x, int y, int count, std::vector<Sample>& out) const {
         const std::uint64_t seed =
             mix(mix(options_.seed ^ 0x5eed) + (std::uint64_t(y) << 32) + std::uint64_t(x));
-        while (pixel.samples < count) {
-            const std::uint32_t index = std::uint32_t(pixel.samples);
-            const geom::Vec2 at = sobol_point(index, seed);
-            const scene::Rgb light = trace(tree, x, y, at.x, at.y, index);
-            if (index == 0) pixel.first_hit = tree.first_hit;
-            pixel.add(light);
+        for (int index = film_.at(x, y).samples; index < count; ++index) {
+            const geom::Vec2 at = sobol_point(std::uint32_t(index), seed);
+            out.push_back(sample_at(x, y, at.x, at.y, std::uint64_t(index)));
         }
     }
 
     void render(const GridSampling& sampling, Rendered&) {
-        pass(0.0, 1.0, [&](RayTree& tree, int x, int y) { add_grid(tree, x, y, sampling.k); });
+        pass(0.0, 1.0,
+             [&](int x, int y, std::vector<Sample>& out) { add_grid(x, y, sampling.k, out); });
     }
 
     void render(const CountSampling& sampling, Rendered& result) {
         if (sampling.samples == 1) return render(GridSampling{1}, result);
-        pass(0.0, 1.0,
-             [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, sampling.samples); });
+        pass(0.0, 1.0, [&](int x, int y, std::vector<Sample>& out) {
+            add_samples(x, y, sampling.samples, out);
+        });
     }
 
     /// Doubles the samples of every pixel whose estimated error is too large, until the picture's
     /// is small enough.
     void render(const ErrorSampling& sampling, Rendered& result) {
         const double allowed = sampling.error * sampling.error;
-        pass(0.0, 0.3, [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, 8); });
+        pass(0.0, 0.3, [&](int x, int y, std::vector<Sample>& out) { add_samples(x, y, 8, out); });
         double share = 0.3;
         for (int round = 0; !interrupted(); ++round) {
             const std::vector<double> errors = film_.squared_errors();
@@ -151,8 +221,8 @@ public:
             }
             if (reached || !any) break;
             const double next_share = share + 0.5 * (1.0 - share);
-            pass(share, next_share, [&](RayTree& tree, int x, int y) {
-                if (wants_more(x, y)) add_samples(tree, x, y, 2 * film_.at(x, y).samples);
+            pass(share, next_share, [&](int x, int y, std::vector<Sample>& out) {
+                if (wants_more(x, y)) add_samples(x, y, 2 * film_.at(x, y).samples, out);
             });
             share = next_share;
         }
@@ -166,14 +236,14 @@ public:
         for (int next = 2; !interrupted(); next = samples + std::max(1, samples / 2)) {
             const double before = watch.seconds();
             pass(std::min(1.0, before / sampling.seconds), std::min(1.0, before / sampling.seconds),
-                 [&](RayTree& tree, int x, int y) { add_samples(tree, x, y, next); });
+                 [&](int x, int y, std::vector<Sample>& out) { add_samples(x, y, next, out); });
             const double per_sample = (watch.seconds() - before) / (next - samples);
             samples = next;
             if (watch.seconds() + per_sample >= sampling.seconds || samples >= (1 << 20)) break;
             const int affordable = int((sampling.seconds - watch.seconds()) / per_sample);
             if (affordable < std::max(1, samples / 2)) {
-                pass(1.0, 1.0, [&](RayTree& tree, int x, int y) {
-                    add_samples(tree, x, y, samples + affordable);
+                pass(1.0, 1.0, [&](int x, int y, std::vector<Sample>& out) {
+                    add_samples(x, y, samples + affordable, out);
                 });
                 samples += affordable;
                 break;
@@ -185,7 +255,7 @@ public:
 
     /// POV-Ray's anti-aliasing: supersample pixels that differ from their left or upper neighbour.
     void render(const ContrastSampling& sampling, Rendered&) {
-        pass(0.0, 0.5, [&](RayTree& tree, int x, int y) { add_grid(tree, x, y, 1); });
+        pass(0.0, 0.5, [&](int x, int y, std::vector<Sample>& out) { add_grid(x, y, 1, out); });
         const Region region = film_.region();
         std::vector<char> marked(std::size_t(film_.width()) * film_.height(), 0);
         const auto index = [&](int x, int y) {
@@ -207,9 +277,9 @@ public:
                 if (above) marked[index(x, y - 1)] = 1;
             }
         }
-        pass(0.5, 1.0, [&](RayTree& tree, int x, int y) {
+        pass(0.5, 1.0, [&](int x, int y, std::vector<Sample>& out) {
             if (!marked[index(x, y)]) return;
-            if (sampling.method == 1) return add_grid(tree, x, y, sampling.depth);
+            if (sampling.method == 1) return add_grid(x, y, sampling.depth, out);
             // Method 2 at its full depth: corners and edges of the pixel too, by trapezoidal
             // weights.
             Pixel& pixel = film_.at(x, y);
@@ -220,9 +290,9 @@ public:
             for (int j = 0; j <= n; ++j) {
                 for (int i = 0; i <= n; ++i) {
                     const double weight = (i % n == 0 ? 0.5 : 1.0) * (j % n == 0 ? 0.5 : 1.0);
-                    pixel.add(trace(tree, x, y, double(i) / n, double(j) / n,
-                                    std::uint64_t(j) * (n + 1) + i),
-                              weight);
+                    out.push_back(sample_at(x, y, double(i) / n, double(j) / n,
+                                            std::uint64_t(j) * (n + 1) + i));
+                    out.back().weight = weight;
                 }
             }
         });
@@ -232,6 +302,7 @@ private:
     const RenderScene& scene_;
     const Options& options_;
     Film film_;
+    std::variant<lanes::Program, NoLanes> program_;
     tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
     Statistics statistics_;
     std::mutex progress_mutex_;
@@ -251,6 +322,7 @@ Rendered render(const RenderScene& scene, const Options& options) {
     Renderer renderer(scene, options);
     std::visit([&](const auto& sampling) { renderer.render(sampling, result); }, options.sampling);
     result.statistics = renderer.statistics();
+    result.why_general = renderer.why_general();
     const Film& film = renderer.film();
     const Region region = film.region();
     for (int y = region.y0; y < region.y1; ++y) {

@@ -17,6 +17,7 @@ struct Rendered {
     std::map<std::string, std::string>
         reproduce;  // options that make the same picture again ("samples": "64")
     bool interrupted = false;
+    std::string why_general;  // why rays went one at a time; empty: they went in lanes
 };
 
 /// The same scene and options give the same bytes, for any number of threads.

@@ -13,6 +13,7 @@ void Statistics::add(const Statistics& other) {
     true_crossings += other.true_crossings;
     false_crossings += other.false_crossings;
     segments += other.segments;
+    single_rays += other.single_rays;
     leaks += other.leaks;
     samples += other.samples;
     deepest_level = std::max(deepest_level, other.deepest_level);

@@ -22,7 +22,8 @@ struct Statistics {
     std::uint64_t camera_rays = 0, reflected_rays = 0, refracted_rays = 0, shadow_rays = 0;
     std::uint64_t casts = 0;  // traversals of the scene
     std::uint64_t true_crossings = 0, false_crossings = 0;
-    std::uint64_t segments = 0;  // from an origin to the next true crossing or to infinity
+    std::uint64_t segments = 0;     // from an origin to the next true crossing or to infinity
+    std::uint64_t single_rays = 0;  // followed one at a time because lanes could not tell
     std::uint64_t leaks = 0;
     std::vector<Leak> first_leaks;  // at most max_first_leaks
     std::map<std::pair<std::size_t, std::string>, std::uint64_t>

@@ -1,0 +1,80 @@
+#include "lanes/kernel.hpp"
+
+// Of the instruction sets that Highway knows, those worth their code: AVX-512, AVX2, and plain
+// doubles for everything else.
+#include <hwy/detect_targets.h>
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lanes/kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "lanes/step-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace meniscus::lanes::HWY_NAMESPACE {
+
+Counts run_all(const Program& program, Host& host, RayStack& stack, std::int64_t* sums) {
+    return Kernel(program, host, stack, sums).run();
+}
+
+}  // namespace meniscus::lanes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace meniscus::lanes {
+namespace {
+
+HWY_EXPORT(run_all);
+
+struct InstructionSet {
+    const char* name;
+    std::int64_t target;  // 0: plain
+};
+constexpr InstructionSet known_sets[] = {{"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"plain", 0}};
+
+bool is_usable(const InstructionSet& set) {
+    return set.target == 0 || (hwy::SupportedTargets() & set.target & HWY_TARGETS) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> instruction_sets() {
+    std::vector<std::string> names;
+    for (const InstructionSet& set : known_sets) {
+        if (is_usable(set)) names.emplace_back(set.name);
+    }
+    return names;
+}
+
+WaitingRay Surface::next(const geom::Vec3& direction, bool behind) const {
+    WaitingRay result;
+    result.origin = point;
+    result.direction = direction;
+    result.throughput = ray.throughput;
+    result.weight = ray.weight;
+    result.birth_magnitude = magnitude;
+    result.code = (ray.code & ~(RayCode::level_mask | RayCode::straight)) |
+                  (std::uint64_t(level) << RayCode::level_shift);
+    result.key = ray.key;
+    result.inside = behind ? after : before;
+    result.top = behind ? rank_after : rank_before;
+    result.contacts = contacts;
+    result.sphere_contacts = sphere_contacts;
+    return result;
+}
+
+Counts run(const Program& program, Host& host, RayStack& stack, std::int64_t* sums,
+           const std::string& instruction_set) {
+    for (const InstructionSet& set : known_sets) {
+        if (!is_usable(set) || (!instruction_set.empty() && instruction_set != set.name)) continue;
+        hwy::ChosenTarget chosen;
+        chosen.Update(set.target);
+        return HWY_DISPATCH_TABLE(run_all)[chosen.GetIndex()](program, host, stack, sums);
+    }
+    throw std::invalid_argument("this machine has no instruction set \"" + instruction_set + "\"");
+}
+
+}  // namespace meniscus::lanes
+#endif

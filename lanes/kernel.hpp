@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lanes/ray_stack.hpp"
+
+namespace meniscus::lanes {
+
+/// Where a ray met a surface that the kernel leaves to its host.
+struct Surface {
+    WaitingRay ray;  // as it set out; its throughput has the way's attenuation in it
+    double t = 0.0;
+    geom::Vec3 point{0.0}, normal{0.0};  // the outward unit normal of the solid
+    int part = -1, face = 0;             // whose surface
+    bool is_member = false;              // false: a surface that is always met
+    int rank_before = no_rank, rank_after = no_rank;
+    std::array<std::uint64_t, list_words> before{}, after{};
+    std::uint64_t contacts = 0, sphere_contacts = 0;
+    double magnitude = 0.0;  // M at the point
+    int level = 0;
+
+    /// A ray that goes on from the point, on the near side (`before`) or behind it (`after`).
+    WaitingRay next(const geom::Vec3& direction, bool behind) const;
+};
+
+/// What a tile did.
+struct Counts {
+    std::uint64_t segments = 0, true_crossings = 0, false_crossings = 0;
+    std::uint64_t reflected = 0, refracted = 0;
+    std::uint64_t handed_over = 0;  // rays that the host followed
+    int deepest_level = 0;
+};
+
+/// Who owns the picture, textures and lights, and the general way of following a ray.
+class Host {
+public:
+    virtual ~Host() = default;
+    /// Pushes up to `wanted` further camera rays, none when all are under way.
+    virtual void more_rays(RayStack& stack, std::size_t wanted) = 0;
+    /// The light of the sky in this direction, seen from the medium at `rank`.
+    virtual geom::Vec3 sky(const geom::Vec3& direction, int rank) = 0;
+    /// How much light is left after a way in the medium at `rank`.
+    virtual geom::Vec3 transmittance(int rank, double way, bool of_shadow) = 0;
+    /// Shades a surface: returns its own light times the throughput, and pushes the rays that go
+    /// on.
+    virtual geom::Vec3 shade(const Surface& surface, RayStack& stack) = 0;
+    /// Follows a ray and all that comes of it: returns the light times the throughput. For what is
+    /// too close to call in lanes.
+    virtual geom::Vec3 follow(const WaitingRay& ray) = 0;
+};
+
+/// The instruction sets that the kernel can use on this machine, best first.
+std::vector<std::string> instruction_sets();
+
+/// Follows all rays that the host has and adds their light to `sums`: for each pixel (RayCode) four
+/// numbers, red, green and blue in 1 / program.units and the count of leaves. Sums of integers are
+/// the same in every order, so the number of lanes changes nothing. `instruction_set` is one of
+/// `instruction_sets()`; empty: the best.
+Counts run(const Program& program, Host& host, RayStack& stack, std::int64_t* sums,
+           const std::string& instruction_set = {});
+
+}  // namespace meniscus::lanes

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geom/transform.hpp"
+
+namespace meniscus::lanes {
+
+/// At most so many solids stand in a ray's list: one bit each.
+inline constexpr int most_members = 112;
+/// At most so many solids are tried by every ray; small spheres stand in groups.
+inline constexpr int most_solids = 16;
+/// Behind the members' bits each solid that is always met has one: on which side of it a ray is
+/// that was born on it.
+inline constexpr int list_words = (most_members + most_solids) / 64;
+/// Straight pieces of a lathe's profile, and crossings of it on one line.
+inline constexpr int most_pieces = 14;
+inline constexpr int most_lathe_crossings = 4;
+
+inline constexpr int no_rank = -1;
+
+enum class Kind { sphere, box, cylinder, half_space, lathe };
+
+/// One straight piece of a lathe's profile: a * radius + b * height = c with (a, b) its outward
+/// unit normal.
+struct Piece {
+    double a, b, c;
+    double low_radius, high_radius, low_height, high_height;
+};
+
+/// A solid as the kernel sees it, in a frame of its own if `placed`. Only the numbers of its kind
+/// mean something.
+struct Solid {
+    Kind kind = Kind::sphere;
+    int part = 0;        // whose it is, for the host
+    int rank = no_rank;  // place in the list: higher is stronger; `no_rank`: always met
+    bool inverse = false;
+    bool to_camera = true, to_mirrors = true, to_lights = true;  // which rays meet it
+    bool placed = false;
+    geom::Transform transform;  // from its own frame to the world, if placed
+    double magnitude = 0.0;     // its largest coordinate
+
+    geom::Vec3 center{0.0};           // sphere; base of a cylinder; a half-space's unit normal
+    double radius = 0.0;              // sphere, cylinder
+    double distance = 0.0;            // half-space
+    geom::Vec3 low{0.0}, high{0.0};   // box
+    geom::Vec3 axis{0.0};             // cylinder: unit vector from base to cap
+    double length = 0.0;              // cylinder
+    std::vector<Piece> pieces;        // lathe, about its y axis
+    double middle = 0.0, size = 0.0;  // lathe: height halfway up; of its profile
+};
+
+/// Eight small spheres and a sphere around them.
+struct Group {
+    static constexpr int size = 8;
+    geom::Vec3 center;
+    double radius;  // of the sphere around, with a margin
+    std::array<double, size> x, y, z, r;
+    std::array<int, size> rank;  // `no_rank` where the group has fewer
+};
+
+/// What stands at one rank of the list.
+struct Member {
+    int part = 0;
+    double ior = 1.0;
+    std::uint32_t medium = 0;  // equal for media that are alike
+    bool attenuates = false;
+    bool clear = true;  // its surface is exact Fresnel reflection and refraction, and nothing else
+    bool in_group = false;
+    int solid = 0;           // index into `solids`, if not in a group
+    geom::Vec3 center{0.0};  // if in a group
+    double radius = 0.0;
+};
+
+/// A scene as tables: what the kernel needs to know of it and no more. Ranks sort the members by
+/// priority; two members of one priority must be alike or apart, since a rank cannot say which was
+/// entered last.
+struct Program {
+    std::vector<Solid> solids;
+    std::vector<Group> groups;
+    std::vector<Member> members;                             // by rank
+    Member outside;                                          // the medium around everything
+    double tolerance_units = 16.0, contact_tolerance = 0.0;  // docs/numerics.md
+    double least_magnitude = 0.0, largest_magnitude = 0.0;   // over all solids and spheres
+
+    bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
+    int most_levels = 5;
+    double least_weight = 0.0;
+    bool constant_sky = false;  // then all that escapes into the outside sees `sky`
+    geom::Vec3 sky{0.0};
+    double units = 0x1p36;  // of the pixels' fixed-point sums, in one unit of light
+};
+
+}  // namespace meniscus::lanes

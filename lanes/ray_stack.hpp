@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "geom/crossing.hpp"
+#include "geom/vec.hpp"
+#include "lanes/program.hpp"
+
+namespace meniscus::lanes {
+
+/// What a ray is, apart from where it is.
+struct RayCode {
+    static constexpr std::uint64_t pixel_bits = 24, level_shift = 24;
+    static constexpr std::uint64_t pixel_mask = (1ull << pixel_bits) - 1;
+    static constexpr std::uint64_t level_mask = 0xffffull << level_shift;
+    static constexpr std::uint64_t one_level = 1ull << level_shift;
+    static constexpr std::uint64_t shadow = 1ull << 40;     // goes to a light
+    static constexpr std::uint64_t straight = 1ull << 41;   // takes no level of its own
+    static constexpr std::uint64_t reflected = 1ull << 42;  // comes from a mirror
+};
+
+/// A ray that waits.
+struct WaitingRay {
+    geom::Vec3 origin, direction, throughput;
+    double weight = 1.0;            // POV-Ray's: specular factors only
+    double t_max = geom::infinity;  // finite for shadow rays only
+    double birth_magnitude = 0.0;   // M where it was born: how far its origin may be off
+    double way_before = 0.0;        // covered in this medium since the last surface
+    int top = no_rank;              // strongest of `inside`
+    std::uint64_t code = 0, key = 0;
+    std::array<std::uint64_t, list_words> inside{};  // a bit for each rank
+    std::uint64_t contacts = 0;                      // four bits a solid: face + 1, or 0
+    std::uint64_t sphere_contacts = 0;  // two ranks + 1 of grouped spheres, 32 bits each
+};
+
+/// Rays that wait, an array a field, so that lanes load and store them side by side.
+class RayStack {
+public:
+    static constexpr std::size_t slack = 32;  // whole vectors are stored beyond the top
+    enum Field {
+        ox,
+        oy,
+        oz,
+        dx,
+        dy,
+        dz,
+        red,
+        green,
+        blue,
+        weight,
+        t_max,
+        birth,
+        way,
+        top,
+        doubles,
+        code = 0,
+        key,
+        inside0,
+        inside1,
+        contacts,
+        sphere_contacts,
+        words
+    };
+    static_assert(inside0 + list_words == contacts);
+
+    RayStack() { reserve(4096); }
+
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    void resize(std::size_t size) { size_ = size; }
+    double* operator[](Field field) { return doubles_.get() + field * stride(); }
+    std::uint64_t* word(Field field) { return words_.get() + field * stride(); }
+
+    void reserve(std::size_t capacity) {
+        if (capacity <= capacity_) return;
+        capacity = std::max(capacity, 2 * capacity_);
+        auto more_doubles = std::make_unique<double[]>(std::size_t(doubles) * (capacity + slack));
+        auto more_words =
+            std::make_unique<std::uint64_t[]>(std::size_t(words) * (capacity + slack));
+        for (std::size_t f = 0; f < doubles && size_ > 0; ++f)
+            std::copy_n(&doubles_[f * stride()], size_, &more_doubles[f * (capacity + slack)]);
+        for (std::size_t f = 0; f < words && size_ > 0; ++f)
+            std::copy_n(&words_[f * stride()], size_, &more_words[f * (capacity + slack)]);
+        doubles_ = std::move(more_doubles);
+        words_ = std::move(more_words);
+        capacity_ = capacity;
+    }
+
+    void push(const WaitingRay& ray) {
+        reserve(size_ + 1);
+        const std::size_t i = size_++;
+        for (int axis = 0; axis < 3; ++axis) {
+            (*this)[Field(ox + axis)][i] = ray.origin[axis];
+            (*this)[Field(dx + axis)][i] = ray.direction[axis];
+            (*this)[Field(red + axis)][i] = ray.throughput[axis];
+        }
+        (*this)[weight][i] = ray.weight;
+        (*this)[t_max][i] = ray.t_max;
+        (*this)[birth][i] = ray.birth_magnitude;
+        (*this)[way][i] = ray.way_before;
+        (*this)[top][i] = ray.top;
+        word(code)[i] = ray.code;
+        word(key)[i] = ray.key;
+        for (int w = 0; w < list_words; ++w) word(Field(inside0 + w))[i] = ray.inside[w];
+        word(contacts)[i] = ray.contacts;
+        word(sphere_contacts)[i] = ray.sphere_contacts;
+    }
+
+private:
+    std::size_t stride() const { return capacity_ + slack; }
+
+    std::size_t size_ = 0, capacity_ = 0;
+    std::unique_ptr<double[]> doubles_;
+    std::unique_ptr<std::uint64_t[]> words_;
+};
+
+}  // namespace meniscus::lanes

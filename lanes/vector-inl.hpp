@@ -1,0 +1,229 @@
+// Two vectors side by side, as wide as the instruction set has them: one step of the kernel works
+// on both, so that the latency of one hides behind the other. Included once for each instruction
+// set.
+
+#if defined(MENISCUS_LANES_VECTOR) == defined(HWY_TARGET_TOGGLE)
+#ifdef MENISCUS_LANES_VECTOR
+#undef MENISCUS_LANES_VECTOR
+#else
+#define MENISCUS_LANES_VECTOR
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace meniscus::lanes::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using DoubleTag = hn::ScalableTag<double>;
+using WordTag = hn::ScalableTag<std::uint64_t>;
+inline constexpr DoubleTag doubles{};
+inline constexpr WordTag integers{};
+inline constexpr std::size_t width = hn::MaxLanes(DoubleTag{});
+inline constexpr std::size_t lanes = 2 * width;
+
+/// Doubles.
+struct F {
+    hn::Vec<DoubleTag> a, b;
+    F() = default;
+    HWY_INLINE F(hn::Vec<DoubleTag> first, hn::Vec<DoubleTag> second) : a(first), b(second) {}
+    HWY_INLINE F(double x) : a(hn::Set(doubles, x)), b(a) {}  // NOLINT: a number is a vector of it
+};
+/// 64-bit words.
+struct U {
+    hn::Vec<WordTag> a, b;
+    U() = default;
+    HWY_INLINE U(hn::Vec<WordTag> first, hn::Vec<WordTag> second) : a(first), b(second) {}
+    HWY_INLINE U(std::uint64_t x) : a(hn::Set(integers, x)), b(a) {}  // NOLINT
+};
+/// True or false.
+struct M {
+    hn::Mask<DoubleTag> a, b;
+};
+
+HWY_INLINE F operator+(F x, F y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
+HWY_INLINE F operator-(F x, F y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
+HWY_INLINE F operator*(F x, F y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
+HWY_INLINE F operator/(F x, F y) { return {hn::Div(x.a, y.a), hn::Div(x.b, y.b)}; }
+HWY_INLINE F operator-(F x) { return {hn::Neg(x.a), hn::Neg(x.b)}; }
+HWY_INLINE F min(F x, F y) { return {hn::Min(x.a, y.a), hn::Min(x.b, y.b)}; }
+HWY_INLINE F max(F x, F y) { return {hn::Max(x.a, y.a), hn::Max(x.b, y.b)}; }
+HWY_INLINE F abs(F x) { return {hn::Abs(x.a), hn::Abs(x.b)}; }
+HWY_INLINE F sqrt(F x) { return {hn::Sqrt(x.a), hn::Sqrt(x.b)}; }
+HWY_INLINE M operator<(F x, F y) { return {hn::Lt(x.a, y.a), hn::Lt(x.b, y.b)}; }
+HWY_INLINE M operator<=(F x, F y) { return {hn::Le(x.a, y.a), hn::Le(x.b, y.b)}; }
+HWY_INLINE M operator>(F x, F y) { return y < x; }
+HWY_INLINE M operator>=(F x, F y) { return y <= x; }
+HWY_INLINE M operator==(F x, F y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)}; }
+
+HWY_INLINE U operator+(U x, U y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
+HWY_INLINE U operator&(U x, U y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
+HWY_INLINE U operator|(U x, U y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
+HWY_INLINE U shift_right(U x, int by) {
+    return {hn::ShiftRightSame(x.a, by), hn::ShiftRightSame(x.b, by)};
+}
+HWY_INLINE U shift_left(U x, int by) {
+    return {hn::ShiftLeftSame(x.a, by), hn::ShiftLeftSame(x.b, by)};
+}
+HWY_INLINE M operator==(U x, U y) {
+    return {hn::RebindMask(doubles, hn::Eq(x.a, y.a)), hn::RebindMask(doubles, hn::Eq(x.b, y.b))};
+}
+
+HWY_INLINE M operator&(M x, M y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
+HWY_INLINE M operator|(M x, M y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
+HWY_INLINE M operator^(M x, M y) { return {hn::Xor(x.a, y.a), hn::Xor(x.b, y.b)}; }
+HWY_INLINE M operator!(M x) { return {hn::Not(x.a), hn::Not(x.b)}; }
+/// x and not y.
+HWY_INLINE M but_not(M x, M y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
+HWY_INLINE M select_mask(M m, M x, M y) { return (m & x) | but_not(y, m); }
+HWY_INLINE bool any(M x) { return !hn::AllFalse(doubles, x.a) || !hn::AllFalse(doubles, x.b); }
+HWY_INLINE std::size_t count(M x) {
+    return hn::CountTrue(doubles, x.a) + hn::CountTrue(doubles, x.b);
+}
+HWY_INLINE M no_lanes() { return {hn::FirstN(doubles, 0), hn::FirstN(doubles, 0)}; }
+/// The lower `n` lanes.
+HWY_INLINE M first_lanes(std::size_t n) {
+    return {hn::FirstN(doubles, n), hn::FirstN(doubles, n > width ? n - width : 0)};
+}
+/// A bit for each lane.
+HWY_INLINE std::uint32_t bits(M x) {
+    std::uint8_t first[8] = {}, second[8] = {};
+    hn::StoreMaskBits(doubles, x.a, first);
+    hn::StoreMaskBits(doubles, x.b, second);
+    constexpr std::uint32_t used = (1u << width) - 1u;
+    return (first[0] & used) | std::uint32_t(second[0] & used) << width;
+}
+
+/// The lanes whose bits are set.
+HWY_INLINE M mask_of(std::uint32_t lane_bits) {
+    const std::uint8_t first[8] = {std::uint8_t(lane_bits & ((1u << width) - 1u))};
+    const std::uint8_t second[8] = {std::uint8_t(lane_bits >> width)};
+    return {hn::LoadMaskBits(doubles, first), hn::LoadMaskBits(doubles, second)};
+}
+
+HWY_INLINE F select(M m, F x, F y) {
+    return {hn::IfThenElse(m.a, x.a, y.a), hn::IfThenElse(m.b, x.b, y.b)};
+}
+HWY_INLINE F only(M m, F x) { return {hn::IfThenElseZero(m.a, x.a), hn::IfThenElseZero(m.b, x.b)}; }
+HWY_INLINE U select(M m, U x, U y) {
+    return {hn::IfThenElse(hn::RebindMask(integers, m.a), x.a, y.a),
+            hn::IfThenElse(hn::RebindMask(integers, m.b), x.b, y.b)};
+}
+HWY_INLINE U only(M m, U x) {
+    return {hn::IfThenElseZero(hn::RebindMask(integers, m.a), x.a),
+            hn::IfThenElseZero(hn::RebindMask(integers, m.b), x.b)};
+}
+
+HWY_INLINE F load(const double* from) {
+    return {hn::LoadU(doubles, from), hn::LoadU(doubles, from + width)};
+}
+HWY_INLINE U load(const std::uint64_t* from) {
+    return {hn::LoadU(integers, from), hn::LoadU(integers, from + width)};
+}
+HWY_INLINE void store(F x, double* to) {
+    hn::StoreU(x.a, doubles, to);
+    hn::StoreU(x.b, doubles, to + width);
+}
+HWY_INLINE void store(U x, std::uint64_t* to) {
+    hn::StoreU(x.a, integers, to);
+    hn::StoreU(x.b, integers, to + width);
+}
+/// Whole numbers below 2^52 as doubles.
+HWY_INLINE F to_double(U x) {
+    const U with_exponent = x | U(0x4330000000000000ull);
+    return F(hn::BitCast(doubles, with_exponent.a), hn::BitCast(doubles, with_exponent.b)) -
+           F(0x1p52);
+}
+/// table[index] for whole numbers `index`.
+HWY_INLINE F gather(const double* table, F index) {
+    const hn::Rebind<std::int64_t, DoubleTag> signed_tag;
+    return {hn::GatherIndex(doubles, table, hn::ConvertTo(signed_tag, index.a)),
+            hn::GatherIndex(doubles, table, hn::ConvertTo(signed_tag, index.b))};
+}
+
+/// Moves the lanes of `m` to the lower end.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE hn::Vec<DoubleTag> compress(hn::Vec<DoubleTag> x, std::uint32_t m) {
+    return hn::Vec<DoubleTag>{_mm512_maskz_compress_pd(__mmask8(m), x.raw)};
+}
+HWY_INLINE hn::Vec<WordTag> compress(hn::Vec<WordTag> x, std::uint32_t m) {
+    return hn::Vec<WordTag>{_mm512_maskz_compress_epi64(__mmask8(m), x.raw)};
+}
+#elif HWY_TARGET == HWY_AVX2
+// By a table of permutations: Highway 1.0.3's own is copied to the stack at each call by g++ 12.
+alignas(32) inline constexpr std::uint32_t compress_table[16][8] = {
+    {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7},
+    {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7},
+    {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {6, 7, 0, 1, 2, 3, 4, 5},
+    {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
+    {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
+    {0, 1, 2, 3, 4, 5, 6, 7}};
+HWY_INLINE __m256i permuted(__m256i x, std::uint32_t m) {
+    return _mm256_permutevar8x32_epi32(
+        x, _mm256_load_si256(reinterpret_cast<const __m256i*>(compress_table[m])));
+}
+HWY_INLINE hn::Vec<DoubleTag> compress(hn::Vec<DoubleTag> x, std::uint32_t m) {
+    return hn::Vec<DoubleTag>{_mm256_castsi256_pd(permuted(_mm256_castpd_si256(x.raw), m))};
+}
+HWY_INLINE hn::Vec<WordTag> compress(hn::Vec<WordTag> x, std::uint32_t m) {
+    return hn::Vec<WordTag>{permuted(x.raw, m)};
+}
+#else
+template <class V>
+HWY_INLINE V compress(V x, std::uint32_t m) {
+    using Lane = hn::TFromV<V>;
+    const hn::DFromV<V> tag;
+    HWY_ALIGN Lane from[width], to[width] = {};
+    hn::Store(x, tag, from);
+    for (std::size_t i = 0, n = 0; i < width; ++i) {
+        if (m >> i & 1u) to[n++] = from[i];
+    }
+    return hn::Load(tag, to);
+}
+#endif
+
+/// Which lanes to store one behind the other; the same for all fields of a ray.
+struct Packing {
+    std::uint32_t first, second;
+    std::size_t first_count, count;
+    HWY_INLINE explicit Packing(std::uint32_t lane_bits)
+        : first(lane_bits & ((1u << width) - 1u)),
+          second(lane_bits >> width),
+          first_count(std::size_t(__builtin_popcount(first))),
+          count(first_count + std::size_t(__builtin_popcount(second))) {}
+};
+/// Stores packed lanes; up to `lanes` places are overwritten.
+HWY_INLINE void store(F x, const Packing& packing, double* to) {
+    hn::StoreU(compress(x.a, packing.first), doubles, to);
+    hn::StoreU(compress(x.b, packing.second), doubles, to + packing.first_count);
+}
+HWY_INLINE void store(U x, const Packing& packing, std::uint64_t* to) {
+    hn::StoreU(compress(x.a, packing.first), integers, to);
+    hn::StoreU(compress(x.b, packing.second), integers, to + packing.first_count);
+}
+
+/// Vectors of three.
+struct F3 {
+    F x, y, z;
+    F3() = default;
+    HWY_INLINE F3(F first, F second, F third) : x(first), y(second), z(third) {}
+    HWY_INLINE F3(const geom::Vec3& v) : x(v.x), y(v.y), z(v.z) {}  // NOLINT
+};
+HWY_INLINE F3 operator+(F3 u, F3 v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
+HWY_INLINE F3 operator-(F3 u, F3 v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
+HWY_INLINE F3 operator*(F s, F3 v) { return {s * v.x, s * v.y, s * v.z}; }
+HWY_INLINE F dot(F3 u, F3 v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+HWY_INLINE F3 select(M m, F3 u, F3 v) {
+    return {select(m, u.x, v.x), select(m, u.y, v.y), select(m, u.z, v.z)};
+}
+/// m * v, with `m` in columns.
+HWY_INLINE F3 transform(const geom::Mat3& m, F3 v) {
+    return {F(m[0].x) * v.x + F(m[1].x) * v.y + F(m[2].x) * v.z,
+            F(m[0].y) * v.x + F(m[1].y) * v.y + F(m[2].y) * v.z,
+            F(m[0].z) * v.x + F(m[1].z) * v.y + F(m[2].z) * v.z};
+}
+
+}  // namespace meniscus::lanes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

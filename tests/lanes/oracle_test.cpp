@@ -1,0 +1,53 @@
+// Lanes against the oracle: random scenes in which coincident faces and tangencies are the rule.
+
+#include <catch2/catch.hpp>
+
+#include "tests/oracle/compare.hpp"
+#include "tests/oracle/random_scene.hpp"
+
+using namespace meniscus;
+using namespace meniscus::oracle;
+
+namespace {
+
+void check_equal(std::uint64_t first_seed, std::uint64_t seeds, const RandomSceneOptions& options) {
+    Picture picture;
+    picture.limits.contact = contact_of(options);
+    tracer::Options ours = options_for(picture);
+    ours.check_segments = false;
+    std::size_t followed = 0;
+    for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+        const auto scene = random_scene(seed, options);
+        const auto rendered = tracer::render(tracer::compile(scene), ours);
+        if (!rendered.why_general.empty()) continue;
+        ++followed;
+        const auto difference = compare<Extended>(rendered, scene, picture);
+        INFO("seed " << seed << ": " << difference.text());
+        CHECK(difference.leaks == 0);
+        CHECK(difference.median < 1e-9);
+        CHECK(difference.unexplained == 0);
+    }
+    INFO(followed << " of " << seeds << " scenes in lanes");
+    CHECK(2 * followed >= seeds);
+}
+
+}  // namespace
+
+TEST_CASE("lattice scenes along the axes, in lanes", "[lanes][oracle]") {
+    check_equal(2000, 30, {});
+}
+
+TEST_CASE("lattice scenes under rotations, in lanes", "[lanes][oracle]") {
+    check_equal(2100, 30, {.rotated = true});
+}
+
+TEST_CASE("lattice scenes, stretched, sheared, with complements and unions, in lanes",
+          "[lanes][oracle]") {
+    check_equal(2200, 30,
+                {.rotated = true,
+                 .stretched = true,
+                 .sheared = true,
+                 .unions = true,
+                 .textured = true,
+                 .complements = true});
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lanes/kernel.hpp"
+#include "tracer/ray_tree.hpp"
+#include "tracer/samples.hpp"
+
+namespace meniscus::tracer {
+
+/// Gives the kernel for lanes what it asks for: camera rays, skies, textures and lights, and the
+/// general way for rays that are too close to call. One for each thread.
+class LaneHost final : public lanes::Host {
+public:
+    LaneHost(const RenderScene& scene, const Options& options, const lanes::Program& program,
+             RayTree& tree, Statistics& statistics);
+
+    /// Follows samples; the light of sample i goes to `sums()` at 4 * samples[i].target: red,
+    /// green, blue in 1 / program.units, times the sample's weight.
+    void run(const std::vector<Sample>& samples, std::size_t targets);
+    const std::vector<std::int64_t>& sums() const { return sums_; }
+
+    void more_rays(lanes::RayStack& stack, std::size_t wanted) override;
+    geom::Vec3 sky(const geom::Vec3& direction, int rank) override;
+    geom::Vec3 transmittance(int rank, double way, bool of_shadow) override;
+    geom::Vec3 shade(const lanes::Surface& surface, lanes::RayStack& stack) override;
+    geom::Vec3 follow(const lanes::WaitingRay& ray) override;
+
+private:
+    const scene::Interior& medium_at(int rank) const;
+    bool is_bit(const std::array<std::uint64_t, lanes::list_words>& words, int place) const {
+        return (words[std::size_t(place / 64)] >> (place % 64) & 1u) != 0;
+    }
+    void list_start(const TracedRay& start, lanes::WaitingRay& ray) const;
+    scene::Rgb pass_shadow(const lanes::Surface& surface, lanes::RayStack& stack);
+    bool is_camera_in_the_open() const;
+
+    const RenderScene& scene_;
+    const Options& options_;
+    const lanes::Program& program_;
+    RayTree& tree_;
+    Statistics& statistics_;
+    lanes::RayStack stack_;
+    std::vector<std::int64_t> sums_;
+    std::vector<int> rank_of_part_;
+    const std::vector<Sample>* samples_ = nullptr;
+    std::size_t next_sample_ = 0;
+    bool same_start_ = false;  // every camera ray has the list of `start_`
+    lanes::WaitingRay start_;
+    Shading shading_;
+};
+
+}  // namespace meniscus::tracer

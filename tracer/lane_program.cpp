@@ -1,0 +1,280 @@
+#include "tracer/lane_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/cylindrical.hpp"
+#include "geom/profile.hpp"
+#include "tracer/brightness.hpp"
+#include "tracer/interior_list.hpp"
+
+namespace meniscus::tracer {
+namespace {
+
+/// Thrown while a program is made; never leaves this file.
+struct CannotHave {
+    std::string reason;
+};
+
+/// Spheres smaller than this share of the scene stand in groups where there are many.
+constexpr double small_sphere = 0.25;
+constexpr std::size_t few_solids = 8;
+/// Sizes of the smallest solid between it and the origin, up to which a point needs no second
+/// vector to keep its digits (docs/numerics.md).
+constexpr double far_from_origin = 1e4;
+
+const scene::Texture& texture_of(const RenderScene& scene, const Part& part) {
+    return scene.source.textures[scene.source.objects[std::size_t(part.object)].texture];
+}
+
+lanes::Solid convert(const geom::Sphere& sphere) {
+    lanes::Solid solid;
+    solid.kind = lanes::Kind::sphere;
+    solid.center = sphere.center;
+    solid.radius = sphere.radius;
+    return solid;
+}
+
+lanes::Solid convert(const geom::Box& box) {
+    lanes::Solid solid;
+    solid.kind = lanes::Kind::box;
+    solid.low = box.low();
+    solid.high = box.high();
+    return solid;
+}
+
+lanes::Solid convert(const geom::Cylinder& cylinder) {
+    lanes::Solid solid;
+    solid.kind = lanes::Kind::cylinder;
+    const geom::Axis axis(cylinder.base, cylinder.cap);
+    solid.center = cylinder.base;
+    solid.axis = axis.direction;
+    solid.length = axis.length;
+    solid.radius = cylinder.radius;
+    return solid;
+}
+
+lanes::Solid convert(const geom::Plane& plane) {
+    lanes::Solid solid;
+    solid.kind = lanes::Kind::half_space;
+    solid.center = plane.normal(0, geom::Vec3{0.0});
+    solid.distance = plane.distance;
+    return solid;
+}
+
+lanes::Solid convert(const geom::Lathe& lathe) {
+    lanes::Solid solid;
+    solid.kind = lanes::Kind::lathe;
+    const geom::Profile& profile = lathe.profile();
+    if (profile.pieces().size() > std::size_t(lanes::most_pieces))
+        throw CannotHave{"a lathe of more than " + std::to_string(lanes::most_pieces) + " pieces"};
+    solid.middle = 0.5 * (profile.low().y + profile.high().y);
+    solid.size = profile.size();
+    for (const geom::ProfilePiece& piece : profile.pieces()) {
+        if (!piece.straight) throw CannotHave{"a lathe with a curved profile"};
+        solid.pieces.push_back({piece.line.a * piece.outward, piece.line.b * piece.outward,
+                                piece.line.c * piece.outward, piece.low.x, piece.high.x,
+                                piece.low.y, piece.high.y});
+    }
+    return solid;
+}
+
+template <class Other>
+lanes::Solid convert(const Other& shape) {
+    throw CannotHave{"a " + std::string(shape.keyword)};
+}
+lanes::Solid convert(const geom::Mesh&) { throw CannotHave{"a mesh"}; }
+
+lanes::Solid make_solid(const Part& part, int index) {
+    lanes::Solid solid =
+        std::visit([](const auto& shape) { return convert(shape); }, part.shape.shape());
+    solid.part = index;
+    solid.inverse = part.inverse;
+    solid.to_camera = !part.no_image;
+    solid.to_mirrors = !part.no_reflection;
+    solid.to_lights = !part.no_shadow || part.is_member;
+    solid.placed = !part.shape.transform().is_identity();
+    solid.transform = part.shape.transform();
+    solid.magnitude = part.shape.magnitude();
+    return solid;
+}
+
+/// Two members of one priority must be alike or never meet: a rank cannot say which of them was
+/// entered last.
+void check_ties(const RenderScene& scene, const std::vector<int>& members) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const Part& a = scene.parts[std::size_t(members[i])];
+        for (std::size_t j = i + 1; j < members.size(); ++j) {
+            const Part& b = scene.parts[std::size_t(members[j])];
+            if (a.priority != b.priority) break;  // sorted
+            const bool alike = medium(scene, a.solid).same_medium(medium(scene, b.solid)) &&
+                               texture_of(scene, a).clear && texture_of(scene, b).clear;
+            if (alike) continue;
+            const double margin = 1e-6 * scene.size;
+            if (a.inverse || b.inverse ||
+                overlap(a.shape.bounds().padded(margin), b.shape.bounds()))
+                throw CannotHave{"unlike solids of one priority that may meet"};
+        }
+    }
+}
+
+void check_parts(const RenderScene& scene) {
+    double smallest = geom::infinity, farthest = geom::max_abs(scene.source.camera.location);
+    for (const Part& part : scene.parts) {
+        if (!part.shape.is_closed()) throw CannotHave{"an open surface"};
+        if (part.is_member && (part.no_image || part.no_reflection))
+            throw CannotHave{"a medium that some rays do not see"};
+        if (part.is_member && part.is_opaque) throw CannotHave{"an opaque solid with a priority"};
+        if (texture_of(scene, part).finish.reflection.exponent != 1.0)
+            throw CannotHave{"a reflection that is not linear"};
+        if (medium(scene, part.solid).caustics != 0.0) throw CannotHave{"fake caustics"};
+        const geom::Bounds& bounds = part.shape.bounds();
+        if (!bounds.is_finite()) continue;
+        const geom::Vec3 size = bounds.size();
+        smallest = std::min({smallest, size.x, size.y, size.z});
+        farthest = std::max({farthest, geom::max_abs(bounds.low), geom::max_abs(bounds.high)});
+    }
+    if (farthest > far_from_origin * smallest)
+        throw CannotHave{"solids too far from the origin for their size"};
+}
+
+lanes::Member make_member(const RenderScene& scene, int index,
+                          std::vector<const scene::Interior*>& media) {
+    const Part& part = scene.parts[std::size_t(index)];
+    const scene::Interior& interior = medium(scene, part.solid);
+    lanes::Member member;
+    member.part = index;
+    member.ior = interior.ior;
+    member.attenuates = interior.attenuates();
+    member.clear = texture_of(scene, part).clear;
+    const auto alike = std::ranges::find_if(
+        media, [&](const scene::Interior* other) { return other->same_medium(interior); });
+    member.medium = std::uint32_t(alike - media.begin());
+    if (alike == media.end()) media.push_back(&interior);
+    return member;
+}
+
+/// Puts spheres that lie close together into groups of eight, by median splits.
+void group(std::vector<int> ranks, lanes::Program& program) {
+    const auto& members = program.members;
+    if (ranks.size() > std::size_t(lanes::Group::size)) {
+        geom::Bounds bounds;
+        for (const int rank : ranks) {
+            const geom::Vec3& c = members[std::size_t(rank)].center;
+            bounds.extend(geom::Bounds{c, c});
+        }
+        const geom::Vec3 size = bounds.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        std::ranges::sort(ranks, [&](int a, int b) {
+            const double x = members[std::size_t(a)].center[axis],
+                         y = members[std::size_t(b)].center[axis];
+            return x != y ? x < y : a < b;
+        });
+        // Whole groups on the left, so that few stay partly empty.
+        const std::size_t groups = (ranks.size() + lanes::Group::size - 1) / lanes::Group::size;
+        const auto middle = ranks.begin() + std::ptrdiff_t(groups / 2 * lanes::Group::size);
+        group({ranks.begin(), middle}, program);
+        group({middle, ranks.end()}, program);
+        return;
+    }
+    lanes::Group result{};
+    geom::Bounds bounds;
+    for (std::size_t i = 0; i < std::size_t(lanes::Group::size); ++i) {
+        const bool exists = i < ranks.size();
+        const lanes::Member* member = exists ? &members[std::size_t(ranks[i])] : nullptr;
+        result.x[i] = exists ? member->center.x : 0.0;
+        result.y[i] = exists ? member->center.y : 0.0;
+        result.z[i] = exists ? member->center.z : 0.0;
+        result.r[i] = exists ? member->radius : 0.0;  // a sphere of radius 0 is never hit
+        result.rank[i] = exists ? ranks[i] : lanes::no_rank;
+        if (!exists) continue;
+        bounds.extend(
+            geom::Bounds{member->center - member->radius, member->center + member->radius});
+    }
+    result.center = 0.5 * (bounds.low + bounds.high);
+    result.radius = 0.0;
+    for (const int rank : ranks) {
+        const lanes::Member& member = members[std::size_t(rank)];
+        result.radius =
+            std::max(result.radius, glm::length(member.center - result.center) + member.radius);
+    }
+    result.radius *= 1.0 + 1e-6;
+    program.groups.push_back(result);
+}
+
+lanes::Program make(const RenderScene& scene, const Options& options) {
+    if (options.interior != InteriorMode::sweep) throw CannotHave{"another kind of list"};
+    if (options.check_segments) throw CannotHave{"checks along each ray"};
+    if (options.layers) throw CannotHave{"extra layers"};
+    check_parts(scene);
+
+    std::vector<int> members;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        if (scene.parts[i].is_member) members.push_back(int(i));
+    }
+    if (members.size() > std::size_t(lanes::most_members))
+        throw CannotHave{"more than " + std::to_string(lanes::most_members) + " solids"};
+    std::ranges::stable_sort(members, {},
+                             [&](int part) { return scene.parts[std::size_t(part)].priority; });
+    check_ties(scene, members);
+
+    lanes::Program program;
+    std::vector<const scene::Interior*> media{&scene.source.settings.outside};
+    program.outside.ior = scene.source.settings.outside.ior;
+    program.outside.attenuates = scene.source.settings.outside.attenuates();
+    std::vector<int> small;
+    for (std::size_t rank = 0; rank < members.size(); ++rank) {
+        const Part& part = scene.parts[std::size_t(members[rank])];
+        lanes::Member member = make_member(scene, members[rank], media);
+        const auto* sphere = std::get_if<geom::Sphere>(&part.shape.shape());
+        member.in_group = scene.parts.size() > few_solids && sphere && !part.inverse &&
+                          part.shape.transform().is_identity() &&
+                          sphere->radius < small_sphere * scene.size;
+        if (member.in_group) {
+            member.center = sphere->center;
+            member.radius = sphere->radius;
+            small.push_back(int(rank));
+        } else {
+            program.solids.push_back(make_solid(part, members[rank]));
+            program.solids.back().rank = int(rank);
+        }
+        program.members.push_back(member);
+    }
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        if (!scene.parts[i].is_member) program.solids.push_back(make_solid(scene.parts[i], int(i)));
+    }
+    if (program.solids.size() > std::size_t(lanes::most_solids))
+        throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
+                         " solids beside small spheres"};
+    if (!small.empty()) group(std::move(small), program);
+
+    program.tolerance_units = scene.tolerance_units;
+    program.contact_tolerance = scene.contact_tolerance;
+    const Tree tree = implied_tree(options);
+    const scene::Settings& settings = scene.source.settings;
+    program.whitted = tree == Tree::whitted;
+    program.sampled = tree == Tree::sampled;
+    program.most_levels = program.whitted ? settings.max_trace_level.value_or(5) : options.depth;
+    program.least_weight = program.whitted      ? settings.adc_bailout.value_or(1.0 / 255.0)
+                           : tree == Tree::full ? options.cutoff
+                                                : 0.0;
+    program.constant_sky = scene.source.sky_sphere.pigments.empty() && !program.outside.attenuates;
+    program.sky = scene.source.background.rgb;
+    // Room for 2^20 samples of the brightest light.
+    const int exponent = std::ilogb(std::max(brightest(scene.source), 1e-30)) + 1;
+    program.units = std::ldexp(1.0, 42 - exponent);
+    return program;
+}
+
+}  // namespace
+
+std::variant<lanes::Program, NoLanes> make_lane_program(const RenderScene& scene,
+                                                        const Options& options) {
+    try {
+        return make(scene, options);
+    } catch (const CannotHave& cannot) {
+        return NoLanes{cannot.reason};
+    }
+}
+
+}  // namespace meniscus::tracer
