@@ -62,8 +62,8 @@ std::vector<double> Film::squared_errors() const {
     for (int y = region_.y0; y < region_.y1; ++y) {
         for (int x = region_.x0; x < region_.x1; ++x) {
             double sum = at(x, y).squared_error(), weight = 1.0;
-            for (int v = std::max(y - 1, region_.y0); v < std::min(y + 2, region_.y1); ++v) {
-                for (int u = std::max(x - 1, region_.x0); u < std::min(x + 2, region_.x1); ++u) {
+            for (int v = std::max(y - 2, region_.y0); v < std::min(y + 3, region_.y1); ++v) {
+                for (int u = std::max(x - 2, region_.x0); u < std::min(x + 3, region_.x1); ++u) {
                     sum += at(u, v).squared_error();
                     weight += 1.0;
                 }

@@ -16,6 +16,7 @@ struct Pixel {
     double even_weight = 0.0, odd_weight = 0.0;
     FirstHit first_hit;
     int samples = 0;
+    double cost = 0.0;  // of its samples: segments, or leaves of their ray trees
 
     void add(const scene::Rgb& light, double weight = 1.0);
     /// The sum of several samples that belong to one half.
@@ -44,8 +45,9 @@ public:
         return pixels_[std::size_t(y - region_.y0) * width() + (x - region_.x0)];
     }
 
-    /// Squared errors of all pixels, each the weighted mean of its 3 x 3 neighbours (itself counts
-    /// twice).
+    /// Squared errors of all pixels, each the weighted mean of its 5 x 5 neighbours (itself counts
+    /// twice): one pixel's two halves say little, and whoever chose pixels by that alone would
+    /// leave those with too small an estimate as they are, and call the picture better than it is.
     std::vector<double> squared_errors() const;
     image::Image develop(bool layers) const;
 

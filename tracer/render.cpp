@@ -4,11 +4,13 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <mutex>
 
+#include "tracer/adaptive.hpp"
 #include "tracer/camera_rays.hpp"
 #include "tracer/film.hpp"
 #include "tracer/lane_host.hpp"
@@ -18,7 +20,7 @@ namespace meniscus::tracer {
 namespace {
 
 constexpr int small_tile = 16, large_tile = 32;  // pixels; rays one at a time, or in lanes
-constexpr int most_samples = 4096;
+constexpr int most_samples = 1 << 16;
 
 double cpu_seconds() {
     timespec now{};
@@ -115,12 +117,14 @@ public:
                 worker.samples.clear();
                 plan(x, y, worker.samples);
                 Pixel& pixel = film_.at(x, y);
+                const std::uint64_t segments_before = worker.statistics.segments;
                 for (const Sample& sample : worker.samples) {
                     const geom::Ray ray = camera_ray(scene_.source.camera, sample.x, sample.y,
                                                      options_.width, options_.height);
                     pixel.add(worker.tree.radiance(ray, sample.key), sample.weight);
                     if (pixel.samples == 1) pixel.first_hit = worker.tree.first_hit;
                 }
+                pixel.cost += double(worker.statistics.segments - segments_before);
             }
         }
     }
@@ -158,8 +162,9 @@ public:
             const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit,
                                    double(sum[2]) * unit};
             const int pixel = int(i / 2);
-            film_.at(window.x0 + pixel % width, window.y0 + pixel / width)
-                .add_half(i % 2 == 1, light, halves[i].weight, halves[i].count);
+            Pixel& whole = film_.at(window.x0 + pixel % width, window.y0 + pixel / width);
+            whole.add_half(i % 2 == 1, light, halves[i].weight, halves[i].count);
+            whole.cost += double(sum[3]);
         }
     }
 
@@ -176,12 +181,15 @@ public:
         }
     }
 
-    /// Goes on in the pixel's own low-discrepancy set until it has `count` samples.
-    void add_samples(int x, int y, int count, std::vector<Sample>& out) const {
+    /// Goes on in the pixel's own low-discrepancy sets until it has `count` samples, which take
+    /// turns among `sets` of them.
+    void add_samples(int x, int y, int count, std::vector<Sample>& out, int sets = 1) const {
         const std::uint64_t seed =
             mix(mix(options_.seed ^ 0x5eed) + (std::uint64_t(y) << 32) + std::uint64_t(x));
         for (int index = film_.at(x, y).samples; index < count; ++index) {
-            const geom::Vec2 at = sobol_point(std::uint32_t(index), seed);
+            const int set = index % sets;
+            const geom::Vec2 at = sobol_point(std::uint32_t(index / sets),
+                                              set == 0 ? seed : mix(seed + std::uint64_t(set)));
             out.push_back(sample_at(x, y, at.x, at.y, std::uint64_t(index)));
         }
     }
@@ -198,34 +206,48 @@ public:
         });
     }
 
-    /// Doubles the samples of every pixel whose estimated error is too large, until the picture's
-    /// is small enough.
+    /// Doubles the samples where that is worth most, until the picture's estimated error is small
+    /// enough. The two halves of a pixel's samples are of two sets that know nothing of each other:
+    /// then the difference of their means tells the error of the mean of both, neither more nor
+    /// less. (Halves of one set keep out of each other's way, and differ far more.)
     void render(const ErrorSampling& sampling, Rendered& result) {
-        const double allowed = sampling.error * sampling.error;
-        pass(0.0, 0.3, [&](int x, int y, std::vector<Sample>& out) { add_samples(x, y, 8, out); });
+        constexpr int first_samples = 8;
+        constexpr int sets = 2;
+        const auto pixel_count = double(film_.width()) * film_.height();
+        const double allowed = sampling.error * sampling.error * pixel_count;
+        pass(0.0, 0.3, [&](int x, int y, std::vector<Sample>& out) {
+            add_samples(x, y, first_samples, out, sets);
+        });
         double share = 0.3;
-        for (int round = 0; !interrupted(); ++round) {
-            const std::vector<double> errors = film_.squared_errors();
+        while (!interrupted()) {
+            const std::vector<PixelNeed> needs = pixel_needs();
             double sum = 0.0;
-            for (const double error : errors) sum += error;
-            result.estimated_error = std::sqrt(sum / double(errors.size()));
-            const bool reached = sum <= allowed * double(errors.size());
-            const Region region = film_.region();
-            const auto wants_more = [&](int x, int y) {
-                const std::size_t i = std::size_t(y - region.y0) * film_.width() + (x - region.x0);
-                return errors[i] > allowed && film_.at(x, y).samples < most_samples;
-            };
-            bool any = false;
-            for (int y = region.y0; y < region.y1 && !any; ++y) {
-                for (int x = region.x0; x < region.x1 && !any; ++x) any = wants_more(x, y);
-            }
-            if (reached || !any) break;
+            for (const PixelNeed& need : needs) sum += need.squared_error;
+            result.estimated_error = std::sqrt(sum / pixel_count);
+            if (sum <= allowed) break;
+            const std::vector<bool> chosen = choose_pixels(needs, allowed);
+            if (std::ranges::find(chosen, true) == chosen.end()) break;
             const double next_share = share + 0.5 * (1.0 - share);
             pass(share, next_share, [&](int x, int y, std::vector<Sample>& out) {
-                if (wants_more(x, y)) add_samples(x, y, 2 * film_.at(x, y).samples, out);
+                const Region region = film_.region();
+                const auto i = std::size_t(y - region.y0) * film_.width() + (x - region.x0);
+                if (chosen[i]) add_samples(x, y, 2 * film_.at(x, y).samples, out, sets);
             });
             share = next_share;
         }
+    }
+
+    std::vector<PixelNeed> pixel_needs() const {
+        std::vector<PixelNeed> needs;
+        const std::vector<double> errors = film_.squared_errors();
+        needs.reserve(errors.size());
+        const Region region = film_.region();
+        for (int y = region.y0; y < region.y1; ++y)
+            for (int x = region.x0; x < region.x1; ++x)
+                needs.push_back({errors[needs.size()],
+                                 std::max(film_.at(x, y).cost, double(film_.at(x, y).samples)),
+                                 film_.at(x, y).samples < most_samples});
+        return needs;
     }
 
     /// Whole rounds over all pixels while there is time for one more; the count that was reached
