@@ -14,7 +14,7 @@ def list_share(functions, total):
 def section(store, quick):
     runs = 3 if quick else 9
     small = ["-W", "48", "-H", "36", "--spp", "1"]
-    large = ["-W", "160", "-H", "120", "--spp", "4"] if quick else ["-W", "320", "-H", "240", "--spp", "16"]
+    large = ["-W", "96", "-H", "72", "--spp", "2"] if quick else ["-W", "320", "-H", "240", "--spp", "16"]
     rows, figure = [], []
     base = {}
     for scene, collect in ((OPAQUE, rows), (FIGURE_3, figure)):

@@ -40,7 +40,7 @@ class Series:
 
 def bubbles(store, pictures, quick):
     counts = [10, 60, 100, 1000, 10_000] + ([] if quick else [100_000, 1_000_000])
-    options = ["-W", "80", "-H", "60", "--spp", "2"] if quick else ["-W", "160", "-H", "120", "--spp", "4"]
+    options = ["-W", "64", "-H", "48", "--spp", "2"] if quick else ["-W", "160", "-H", "120", "--spp", "4"]
     series = Series("bubbles", "Bubbles in a block of water", "bubbles")
     for count in counts:
         series.add(count, render.run(store, "benchmarks/scenes/bubbles.scene", "--declare", f"Count={count}", *options,
@@ -50,7 +50,7 @@ def bubbles(store, pictures, quick):
 
 def nests(store, pictures, quick):
     depths = [1, 3, 10, 30, 100] + ([300] if quick else [300, 1000])
-    options = ["-W", "80", "-H", "60", "--spp", "2", "--depth", "4000", "--tree", "sampled"]
+    options = ["-W", "32" if quick else "64", "-H", "24" if quick else "48", "--spp", "2", "--depth", "4000", "--tree", "sampled"]
     series = Series("nest", "Balls within balls", "depth")
     for depth in depths:
         series.add(depth, render.run(store, "benchmarks/scenes/nest.scene", "--declare", f"Depth={depth}", *options,
@@ -60,7 +60,7 @@ def nests(store, pictures, quick):
 
 def triangles(store, pictures, quick, folder):
     counts = [1000, 10_000, 100_000] + ([] if quick else [1_000_000, 4_000_000])
-    options = ["-W", "160", "-H", "120", "--spp", "2" if quick else "4"]
+    options = ["-W", "80" if quick else "160", "-H", "60" if quick else "120", "--spp", "2" if quick else "4"]
     series = Series("triangles", "Triangles of a glass ring", "triangles")
     for count in counts:
         mesh = ROOT / folder / f"ring_{count}.ply"
@@ -72,7 +72,7 @@ def triangles(store, pictures, quick, folder):
 
 
 def resolutions(store, pictures, quick):
-    widths = [40, 80, 160, 320] + ([] if quick else [640, 1280])
+    widths = [40, 80, 160] + ([] if quick else [320, 640, 1280])
     series = Series("resolution", "Pixels of the tumbler", "pixels")
     scene = "tests/povray/bench/tumbler.scene"
     for width in widths:
@@ -82,7 +82,7 @@ def resolutions(store, pictures, quick):
 
 
 def threads(store, quick):
-    scene, options = "tests/povray/bench/tumbler.scene", ["-W", "160" if quick else "640", "-H", "120" if quick else "480", "--spp", "4"]
+    scene, options = "tests/povray/bench/tumbler.scene", ["-W", "120" if quick else "640", "-H", "90" if quick else "480", "--spp", "4"]
     rows, first = [], None
     for count in (1, 2):
         result = render.run(store, scene, *options, "--threads", count, runs=3)
