@@ -36,6 +36,7 @@ struct Solid {
     Kind kind = Kind::sphere;
     int part = 0;        // whose it is, for the host
     int rank = no_rank;  // place in the list: higher is stronger; `no_rank`: always met
+    int place = 0;       // its bit in the list
     bool inverse = false;
     bool to_camera = true, to_mirrors = true, to_lights = true;  // which rays meet it
     bool placed = false;
@@ -83,7 +84,12 @@ struct Program {
     std::vector<Member> members;                             // by rank
     Member outside;                                          // the medium around everything
     double tolerance_units = 16.0, contact_tolerance = 0.0;  // docs/numerics.md
-    double least_magnitude = 0.0, largest_magnitude = 0.0;   // over all solids and spheres
+    double largest_magnitude = 0.0;                          // over all solids and spheres
+    bool one_tolerance = false;  // the magnitudes are so alike that the largest serves for all
+
+    // What the scene has and needs; the rest is skipped.
+    bool has_lights = true, attenuates = true, uses_keys = true;
+    bool two_words = true;  // places from 64 on
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

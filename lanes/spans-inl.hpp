@@ -188,22 +188,26 @@ HWY_INLINE Span cylinder_span(const Solid& solid, const Rays& rays, U contact) {
 /// tolerance are none.
 HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Rays& rays,
                            const Span& span, M inside, M has_contact, M& unsure) {
-    const F magnitude = rays.largest + F(solid.magnitude);
-    const F units(program.tolerance_units * unit_roundoff);
-    const F sure_start =
-        F(2.0) * max(units * (rays.birth + F(solid.magnitude)), F(program.contact_tolerance));
-    const M hit = but_not(span.hit & (F(0.0) < span.t1), inside);
+    const F size(solid.magnitude);
+    const F hit_end = select(inside, span.t1, span.t0);
+    M enters = but_not(span.hit & (F(0.0) < span.t1), inside);
     const F start = max(span.t0, F(0.0));
+    // A chord near the tolerance or below it: seldom.
     const F chord = span.t1 - start;
-    const F at = magnitude + min(start, F(0x1p500));
-    const M touch = chord <= max(units * at, F(program.contact_tolerance));
-    const M thin = chord < max(F(1e-6) * at, F(2.0 * program.contact_tolerance));
-    const M enters = but_not(hit, touch);
-    // Too close to call: thin chords, and starts where list and place disagree by more than
-    // rounding.
-    const M forced_out = inside & (span.t1 < -sure_start);
-    const M forced_in = enters & (span.t0 < -sure_start);
-    unsure = unsure | (enters & thin) | but_not(forced_out | forced_in, has_contact);
+    const F at = rays.largest + size + start;
+    const M thin = enters & (chord < max(F(1e-6) * at, F(2.0 * program.contact_tolerance)));
+    if (any(thin)) {
+        const F tolerance =
+            max(F(program.tolerance_units * unit_roundoff) * at, F(program.contact_tolerance));
+        const M touch = chord <= tolerance;
+        unsure = unsure | but_not(thin, touch);
+        enters = but_not(enters, thin & touch);
+    }
+    // So is a start at which list and place disagree by more than rounding.
+    const F sure_start =
+        F(-2.0) * max(F(program.tolerance_units * unit_roundoff) * (rays.birth + size),
+                      F(program.contact_tolerance));
+    unsure = unsure | but_not((inside | enters) & (hit_end < sure_start), has_contact);
 
     Stretch result;
     result.in = select(inside, F(-infinity), select(enters, start, F(infinity)));

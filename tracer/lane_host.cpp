@@ -143,7 +143,7 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
     event.solid_after = solid_at(surface.rank_after);
     const Vec3& direction = surface.ray.direction;
     const Rgb& throughput = surface.ray.throughput;
-    tracer::shade(scene_, direction, event,
+    tracer::shade(scene_, direction, event, surface.normal,
                   program_.whitted ? std::optional(program_.least_weight) : std::nullopt,
                   surface.ray.key, shading_);
 
@@ -180,10 +180,10 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
         if (!behind) ray.code |= lanes::RayCode::reflected;
         stack.push(ray);
     };
-    const Vec3 back = mirrored(direction, surface.normal, shading_.normal);
+    const auto back = [&] { return mirrored(direction, surface.normal, shading_.normal); };
     const std::uint64_t key = surface.ray.key;
     if (shading_.total_reflection) {
-        go_on(back, false, Rgb{1.0}, scene::max_channel(shading_.through),
+        go_on(back(), false, Rgb{1.0}, scene::max_channel(shading_.through),
               lanes::reflected_key(key), false, statistics_.reflected_rays);
     } else {
         const bool mirror = shading_.mirror != Rgb{0.0}, through = shading_.transmitted.has_value();
@@ -194,7 +194,7 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
                                                              through_share, surface.ray.weight, key)
                                              : lanes::Branches{mirror, through, 1.0, 1.0};
         if (branches.mirror) {
-            go_on(back, false, branches.mirror_gain * shading_.mirror,
+            go_on(back(), false, branches.mirror_gain * shading_.mirror,
                   branches.mirror_gain * shading_.mirror_weight, lanes::reflected_key(key), false,
                   statistics_.reflected_rays);
         }
@@ -219,10 +219,8 @@ Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const int face = int(ray.contacts >> (4 * i) & 15u) - 1;
         if (face < 0) continue;
-        const int rank = program_.solids[i].rank;
         traced.contacts.push_back(
-            {program_.solids[i].part, face,
-             is_bit(ray.inside, rank >= 0 ? rank : lanes::most_members + int(i))});
+            {program_.solids[i].part, face, is_bit(ray.inside, program_.solids[i].place)});
     }
     for (const int shift : {0, 32}) {
         const int rank = int(ray.sphere_contacts >> shift & 0xffffffffu) - 1;

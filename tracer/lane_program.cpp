@@ -23,6 +23,9 @@ constexpr std::size_t few_solids = 8;
 /// vector to keep its digits (docs/numerics.md).
 constexpr double far_from_origin = 1e4;
 
+/// Tolerances that differ by no more than this factor make the same picture (docs/numerics.md).
+constexpr double alike_magnitudes = 8.0;
+
 const scene::Texture& texture_of(const RenderScene& scene, const Part& part) {
     return scene.source.textures[scene.source.objects[std::size_t(part.object)].texture];
 }
@@ -247,6 +250,19 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
                          " solids beside small spheres"};
     if (!small.empty()) group(std::move(small), program);
+    double least_magnitude = geom::infinity;
+    for (const Part& part : scene.parts) {
+        least_magnitude = std::min(least_magnitude, part.shape.magnitude());
+        program.largest_magnitude = std::max(program.largest_magnitude, part.shape.magnitude());
+    }
+    program.one_tolerance = program.largest_magnitude <= alike_magnitudes * least_magnitude;
+    for (std::size_t i = 0; i < program.solids.size(); ++i) {
+        lanes::Solid& solid = program.solids[i];
+        solid.place = solid.rank >= 0 ? solid.rank : int(members.size() + i);
+    }
+    program.two_words = members.size() + program.solids.size() > 64;
+    program.has_lights = !scene.source.lights.empty();
+    program.attenuates = scene.has_attenuation;
 
     program.tolerance_units = scene.tolerance_units;
     program.contact_tolerance = scene.contact_tolerance;
@@ -258,6 +274,10 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     program.least_weight = program.whitted      ? settings.adc_bailout.value_or(1.0 / 255.0)
                            : tree == Tree::full ? options.cutoff
                                                 : 0.0;
+    program.uses_keys =
+        program.sampled || std::ranges::any_of(scene.source.textures, [](const auto& texture) {
+            return texture.finish.crand != 0.0;
+        });
     program.constant_sky = scene.source.sky_sphere.pigments.empty() && !program.outside.attenuates;
     program.sky = scene.source.background.rgb;
     // Room for 2^20 samples of the brightest light.

@@ -114,7 +114,8 @@ TracedRay shadow_ray(const Event& event, const Vec3& direction, bool from_behind
 }
 
 void shade(const RenderScene& scene, const Vec3& direction, const Event& event,
-           std::optional<double> least_through, std::uint64_t key, Shading& shading) {
+           const Vec3& shading_normal, std::optional<double> least_through, std::uint64_t key,
+           Shading& shading) {
     const Part& part = scene.parts[event.part];
     const scene::Texture& texture =
         scene.source.textures[scene.source.objects[scene.parts[event.skin].object].texture];
@@ -122,7 +123,7 @@ void shade(const RenderScene& scene, const Vec3& direction, const Event& event,
     const Vec3 position = event.origin.origin;
     shading = {.lights = std::move(shading.lights)};
     shading.lights.clear();
-    shading.normal = part.shape.shading_normal(event.face, position);
+    shading.normal = shading_normal;
     if (glm::dot(shading.normal, direction) > 0.0) shading.normal = -shading.normal;
     const double cosine = std::clamp(-glm::dot(shading.normal, direction), 0.0, 1.0);
 

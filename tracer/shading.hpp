@@ -35,7 +35,8 @@ struct Shading {
 /// `least_through` is POV-Ray's cut: no transmitted ray below this share (by gray value); without
 /// it, none at 0. What `shading` held before is lost; it brings memory for its lights.
 void shade(const RenderScene& scene, const geom::Vec3& direction, const Event& event,
-           std::optional<double> least_through, std::uint64_t key, Shading& shading);
+           const geom::Vec3& shading_normal, std::optional<double> least_through, std::uint64_t key,
+           Shading& shading);
 
 /// Where a ray goes that a surface mirrors. A smooth normal may send it below the real surface: it
 /// is reflected there once more, as POV-Ray does.

@@ -1,0 +1,146 @@
+// The rays of one step and what is found out about them.
+
+#if defined(MENISCUS_LANES_BATCH) == defined(HWY_TARGET_TOGGLE)
+#ifdef MENISCUS_LANES_BATCH
+#undef MENISCUS_LANES_BATCH
+#else
+#define MENISCUS_LANES_BATCH
+#endif
+
+#include "lanes/kernel.hpp"
+#include "lanes/spans-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace meniscus::lanes::HWY_NAMESPACE {
+
+/// Numbers of all lanes, for what is done one lane at a time.
+template <class T>
+struct Column {
+    alignas(64) T at[lanes];
+    Column() = default;
+    HWY_INLINE Column(F x) { store(x, at); }
+    HWY_INLINE Column(U x) { store(x, at); }
+    T& operator[](std::size_t lane) { return at[lane]; }
+    T operator[](std::size_t lane) const { return at[lane]; }
+};
+using Doubles = Column<double>;
+using Words = Column<std::uint64_t>;
+
+/// Calls visit(lane) for each lane of a mask.
+template <class Visit>
+HWY_INLINE void for_each(M mask, Visit&& visit) {
+    for (std::uint32_t left = bits(mask); left; left &= left - 1)
+        visit(std::size_t(__builtin_ctz(left)));
+}
+
+/// A list of each lane's ray: a bit for each place.
+struct List {
+    U low, high;  // places below 64, and the rest
+};
+
+/// A stretch of one lane's ray inside a small sphere.
+struct SphereStretch {
+    double in, out;
+    int rank;
+};
+struct SphereStretches {
+    static constexpr int most = 12;
+    SphereStretch at[most];
+    int size = 0;
+};
+
+/// The solid on top of each ray's list, and what it is made of.
+struct Top {
+    F rank;  // `no_rank`: outside of all
+    F ior, medium;
+    F face;  // of its crossing in the event, if it has one
+    M dressed, attenuates;
+
+    HWY_INLINE explicit Top(const Member& outside)
+        : rank(double(no_rank)),
+          ior(outside.ior),
+          medium(double(outside.medium)),
+          face(0.0),
+          dressed(no_lanes()),
+          attenuates(outside.attenuates ? !no_lanes() : no_lanes()) {}
+
+    /// Where `which`, the solid at `solid_rank` is on top of those so far.
+    HWY_INLINE void cover(M which, int solid_rank, const Member& member) {
+        rank = select(which, F(double(solid_rank)), rank);
+        ior = select(which, F(member.ior), ior);
+        medium = select(which, F(double(member.medium)), medium);
+        dressed = member.clear ? but_not(dressed, which) : dressed | which;
+        attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
+    }
+};
+
+struct Batch {
+    std::size_t size = 0, base = 0;  // rays, and where they stood on the stack
+    // As they set out.
+    Rays rays;
+    F3 throughput;
+    F weight, way_before, top;
+    U code, key, sphere_contacts;
+    List inside;
+    M is_shadow, is_mirrored;
+    // Where each solid's stretches of them lie (two for a lathe).
+    Stretch stretches[2 * most_solids];
+    SphereStretches spheres[lanes];
+    // The nearest crossing that is true.
+    F nearest, pivot_magnitude;
+    M unsure;  // too close to call
+    // The event: what is there just before and just after it.
+    M met;
+    F t;
+    List before, after;
+    F surface, surface_face;  // index of the solid that is always met
+    U contacts;
+    F false_crossings;
+    Words sphere_contacts_after;
+};
+
+/// The stretch of a ray in one small sphere, as `sphere_span` and `resolve` have it for lanes;
+/// false if there is none.
+HWY_INLINE bool sphere_stretch(const Program& program, const geom::Vec3& o, const geom::Vec3& d,
+                               const geom::Vec3& c, double r, bool inside, bool has_contact,
+                               double largest, double birth, SphereStretch& result, bool& unsure) {
+    const geom::Vec3 e = o - c;
+    const double b = e.x * d.x + e.y * d.y + e.z * d.z;
+    double t0, t1;
+    bool hit;
+    if (has_contact) {
+        t0 = std::min(0.0, -b - b);
+        t1 = std::max(0.0, -b - b);
+        hit = t0 < t1;
+    } else {
+        const geom::Vec3 f = e - b * d;
+        const double discriminant = r * r - (f.x * f.x + f.y * f.y + f.z * f.z);
+        hit = discriminant > 0.0;
+        const double half = std::sqrt(std::max(discriminant, 0.0));
+        t0 = -b - half;
+        t1 = -b + half;
+    }
+    const double size = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) + r;
+    const double units = program.tolerance_units * unit_roundoff;
+    const double sure_start = 2.0 * std::max(units * (birth + size), program.contact_tolerance);
+    if (inside) {
+        if (t1 < -sure_start && !has_contact) unsure = true;
+        result.in = -infinity;
+        result.out = std::max(t1, 0.0);
+        return true;
+    }
+    if (!hit || !(t1 > 0.0)) return false;
+    const double start = std::max(t0, 0.0), chord = t1 - start;
+    const double magnitude = largest + size + start;
+    if (chord <= std::max(units * magnitude, program.contact_tolerance)) return false;
+    if (chord < std::max(1e-6 * magnitude, 2.0 * program.contact_tolerance)) unsure = true;
+    if (t0 < -sure_start && !has_contact) unsure = true;
+    result.in = start;
+    result.out = t1;
+    return true;
+}
+
+}  // namespace meniscus::lanes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
