@@ -16,9 +16,15 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 inline constexpr double infinity = geom::infinity;
 inline constexpr double unit_roundoff = 0x1p-53;
 
+/// Rays as lines in some frame.
+struct Line {
+    F3 origin, direction;
+    F squared_length;  // of the direction
+};
+
 /// The rays of one step.
 struct Rays {
-    F3 origin, direction;
+    Line world;
     F largest;  // max |coordinate| of the origin
     F birth;    // M where the ray was born, at least `largest`
     F t_max;
@@ -40,20 +46,14 @@ struct Stretch {
     F face_in, face_out;
 };
 
-/// A ray in a solid's own frame; t stays what it is.
-struct Local {
-    F3 origin, direction;
-    F squared_length;  // of the direction
-};
-
-HWY_INLINE Local local(const Solid& solid, const Rays& rays) {
-    if (!solid.placed) return {rays.origin, rays.direction, F(1.0)};
+/// The rays in a solid's own frame; t stays what it is.
+HWY_INLINE const Line& local(const Solid& solid, const Rays& rays, Line& scratch) {
+    if (!solid.placed) return rays.world;
     const geom::Mat3& inverse = solid.transform.inverse_linear();
-    Local result;
-    result.origin = transform(inverse, rays.origin - F3(solid.transform.shift()));
-    result.direction = transform(inverse, rays.direction);
-    result.squared_length = dot(result.direction, result.direction);
-    return result;
+    scratch.origin = transform(inverse, rays.world.origin - F3(solid.transform.shift()));
+    scratch.direction = transform(inverse, rays.world.direction);
+    scratch.squared_length = dot(scratch.direction, scratch.direction);
+    return scratch;
 }
 
 /// The face of `solid` that each ray was born on, plus 1; 0 for none.
@@ -62,7 +62,8 @@ HWY_INLINE U contact_of(const Rays& rays, int index) {
 }
 
 HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
-    const Local ray = local(solid, rays);
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
     const F3 e = ray.origin - F3(solid.center);
     F b = dot(e, ray.direction);
     if (solid.placed) b = b / ray.squared_length;
@@ -83,8 +84,8 @@ HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
 
 HWY_INLINE Span half_space_span(const Solid& solid, const Rays& rays, U contact) {
     const F3 n(solid.center);
-    const F slope = dot(rays.direction, n);
-    const F depth = F(solid.distance) - dot(rays.origin, n);
+    const F slope = dot(rays.world.direction, n);
+    const F depth = F(solid.distance) - dot(rays.world.origin, n);
     const M pinned = !(contact == U(0));
     const M parallel = slope == F(0.0);
     const F t = select(pinned, F(0.0), depth / slope);
@@ -112,7 +113,8 @@ HWY_INLINE Span whole_line() {
 }
 
 HWY_INLINE Span box_span(const Solid& solid, const Rays& rays, U contact) {
-    const Local ray = local(solid, rays);
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
     const F origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const F direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
     Span span = whole_line();
@@ -142,7 +144,8 @@ HWY_INLINE Span box_span(const Solid& solid, const Rays& rays, U contact) {
 
 HWY_INLINE Span cylinder_span(const Solid& solid, const Rays& rays, U contact) {
     constexpr double side_face = 0.0, base_face = 1.0, cap_face = 2.0;  // as geom::Cylinder's
-    const Local ray = local(solid, rays);
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
     const F3 axis(solid.axis);
     const F3 e = ray.origin - F3(solid.center);
     const F along_e = dot(e, axis), along_d = dot(ray.direction, axis);
@@ -244,7 +247,8 @@ struct LatheCrossings {
 /// `inside` tells where they start.
 HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, const Rays& rays,
                                 M known, M inside, Stretch& first, Stretch& second, M& unsure) {
-    const Local ray = local(solid, rays);
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
     F3 d = ray.direction;
     F length(1.0);
     if (solid.placed) {

@@ -91,10 +91,12 @@ HWY_INLINE void Kernel::take(Batch& batch) {
 
     Rays& rays = batch.rays;
     rays.active = first_lanes(batch.size);
-    rays.origin = {numbers(Stack::ox), numbers(Stack::oy), numbers(Stack::oz)};
-    rays.direction = {numbers(Stack::dx), numbers(Stack::dy), numbers(Stack::dz)};
+    rays.world.origin = {numbers(Stack::ox), numbers(Stack::oy), numbers(Stack::oz)};
+    rays.world.direction = {numbers(Stack::dx), numbers(Stack::dy), numbers(Stack::dz)};
+    rays.world.squared_length = F(1.0);
     rays.t_max = program_.has_lights ? numbers(Stack::t_max) : F(infinity);
-    rays.largest = max(max(abs(rays.origin.x), abs(rays.origin.y)), abs(rays.origin.z));
+    rays.largest =
+        max(max(abs(rays.world.origin.x), abs(rays.world.origin.y)), abs(rays.world.origin.z));
     rays.birth = max(numbers(Stack::birth), rays.largest);
     rays.contacts = words(Stack::contacts);
     batch.throughput = {numbers(Stack::red), numbers(Stack::green), numbers(Stack::blue)};
@@ -196,8 +198,9 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     const Words inside[list_words] = {Words(batch.inside.low), Words(batch.inside.high)};
     const Words sphere_contacts(batch.sphere_contacts);
     const Doubles top(batch.top);
-    const Doubles ox(rays.origin.x), oy(rays.origin.y), oz(rays.origin.z);
-    const Doubles dx(rays.direction.x), dy(rays.direction.y), dz(rays.direction.z);
+    const Doubles ox(rays.world.origin.x), oy(rays.world.origin.y), oz(rays.world.origin.z);
+    const Doubles dx(rays.world.direction.x), dy(rays.world.direction.y),
+        dz(rays.world.direction.z);
     const Doubles largest(rays.largest), birth(rays.birth);
     Doubles near(batch.nearest), pivot(batch.pivot_magnitude);
     std::uint32_t doubtful = 0;
@@ -246,9 +249,9 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     }
     for (const Group& group : program_.groups) {
         // Missed, behind, or beyond what is nearest: by the group's sphere.
-        const F3 e = rays.origin - F3(group.center);
-        const F b = dot(e, rays.direction);
-        const F3 f = e - b * rays.direction;
+        const F3 e = rays.world.origin - F3(group.center);
+        const F b = dot(e, rays.world.direction);
+        const F3 f = e - b * rays.world.direction;
         const F room = F(group.radius * group.radius) - dot(f, f);
         const F bound = load(near.at) * F(1.0 + 1e-6) + F(1e-6) * (rays.largest + F(group.radius));
         const M met = rays.active & (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
@@ -489,8 +492,8 @@ HWY_INLINE void Kernel::arrive(const Batch& batch, M gone, const Top& before) {
     });
     const M other = but_not(gone, plain);
     if (!any(other)) return;
-    const Doubles dx(batch.rays.direction.x), dy(batch.rays.direction.y),
-        dz(batch.rays.direction.z), rank(before.rank), r(light.x), g(light.y), b(light.z);
+    const Doubles dx(batch.rays.world.direction.x), dy(batch.rays.world.direction.y),
+        dz(batch.rays.world.direction.z), rank(before.rank), r(light.x), g(light.y), b(light.z);
     for_each(other, [&](std::size_t lane) {
         const geom::Vec3 seen = host_.sky({dx[lane], dy[lane], dz[lane]}, int(rank[lane]));
         add_light(codes[lane], {r[lane] * seen.x, g[lane] * seen.y, b[lane] * seen.z});
@@ -537,9 +540,9 @@ HWY_INLINE void Kernel::dress(const Batch& batch, M which, M by_surface, F3 poin
         red(batch.throughput.x), green(batch.throughput.y), blue(batch.throughput.z),
         solids(batch.surface), owners(owner), faces(face), ranks_before(before.rank),
         ranks_after(after.rank), magnitudes(magnitude), levels(level), ways(batch.t),
-        ox(batch.rays.origin.x), oy(batch.rays.origin.y), oz(batch.rays.origin.z),
-        dx(batch.rays.direction.x), dy(batch.rays.direction.y), dz(batch.rays.direction.z),
-        weights(batch.weight), limits(batch.rays.t_max);
+        ox(batch.rays.world.origin.x), oy(batch.rays.world.origin.y), oz(batch.rays.world.origin.z),
+        dx(batch.rays.world.direction.x), dy(batch.rays.world.direction.y),
+        dz(batch.rays.world.direction.z), weights(batch.weight), limits(batch.rays.t_max);
     const Words codes(batch.code), keys(batch.key), contacts(batch.contacts),
         before_words[list_words] = {Words(batch.before.low), Words(batch.before.high)},
         after_words[list_words] = {Words(batch.after.low), Words(batch.after.high)};
@@ -697,7 +700,7 @@ void Kernel::step() {
     const F owner = select(by_surface, F(double(no_rank)), max(before.rank, after.rank));
     const F face =
         select(by_surface, batch.surface_face, select(after_owns, after.face, before.face));
-    F3 point = rays.origin + t * rays.direction;
+    F3 point = rays.world.origin + t * rays.world.direction;
     F3 normal(geom::Vec3{0.0, 1.0, 0.0});
     F owner_magnitude(0.0);
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
@@ -754,7 +757,7 @@ void Kernel::step() {
 
     const M passes = nothing | (glass & batch.is_shadow);
     if (any(passes)) {
-        push(passes, rays.direction, throughput, batch.weight, rays.t_max - t,
+        push(passes, rays.world.direction, throughput, batch.weight, rays.t_max - t,
              select(nothing, batch.way_before + t, F(0.0)), batch.after, after.rank,
              plain_code | level_word | only(but_not(passes, batch.is_shadow), U(RayCode::straight)),
              batch.key);
@@ -763,7 +766,7 @@ void Kernel::step() {
     const M splits = but_not(glass, batch.is_shadow);
     if (any(splits)) {
         const F eta = before.ior / after.ior;
-        const F facing = dot(normal, rays.direction);
+        const F facing = dot(normal, rays.world.direction);
         const F3 n = select(F(0.0) < facing, F(-1.0) * normal, normal);
         const F cosine = min(F(1.0), abs(facing));
         const F k = F(1.0) - eta * eta * (F(1.0) - cosine * cosine);
@@ -793,9 +796,10 @@ void Kernel::step() {
         counts_.refracted += count(transmits);
         const M may_go_on = level < F(double(program_.most_levels));
         const F floor(program_.least_weight);
-        const F3 mirrored = unit(rays.direction + F(2.0) * cosine * n);
+        const F3 mirrored = unit(rays.world.direction + F(2.0) * cosine * n);
         const M bends = F(1e-10) <= abs(eta - F(1.0));
-        const F3 bent = select(bends, unit(eta * rays.direction + s_up * n), rays.direction);
+        const F3 bent =
+            select(bends, unit(eta * rays.world.direction + s_up * n), rays.world.direction);
         push(reflects & may_go_on & (floor <= reflect_weight), mirrored,
              reflect_factor * throughput, reflect_weight, F(infinity), F(0.0), batch.before,
              before.rank, plain_code | level_word | U(RayCode::reflected), reflect_key);
