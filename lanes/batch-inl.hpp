@@ -33,6 +33,24 @@ HWY_INLINE void for_each(M mask, Visit&& visit) {
         visit(std::size_t(__builtin_ctz(left)));
 }
 
+/// All rays as numbers.
+struct Line3 {
+    Doubles ox, oy, oz, dx, dy, dz;
+    HWY_INLINE explicit Line3(const Rays& rays)
+        : ox(rays.world.origin.x),
+          oy(rays.world.origin.y),
+          oz(rays.world.origin.z),
+          dx(rays.world.direction.x),
+          dy(rays.world.direction.y),
+          dz(rays.world.direction.z) {}
+    geom::Ray ray(std::size_t lane) const {
+        geom::Ray result;
+        result.origin = {ox[lane], oy[lane], oz[lane]};
+        result.direction = {dx[lane], dy[lane], dz[lane]};
+        return result;
+    }
+};
+
 /// A list of each lane's ray: a bit for each place.
 struct List {
     U low, high;  // places below 64, and the rest
@@ -83,7 +101,7 @@ struct Batch {
     U code, key, sphere_contacts;
     List inside;
     M is_shadow, is_mirrored;
-    // Where each solid's stretches of them lie (two for a lathe).
+    // Where each solid's stretches of them lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     SphereStretches spheres[lanes];
     // The nearest crossing that is true.

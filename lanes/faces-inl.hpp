@@ -80,6 +80,9 @@ HWY_INLINE FacePoint face_point(const Solid& solid, F3 world, F face) {
             way = (c - a * radius - b * p.y) * n;
             break;
         }
+        case Kind::other_convex:
+        case Kind::other:
+            break;  // the host's
     }
     if (!solid.placed) return {world + way, n};
     // Normals go by the inverse transpose.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/ray.hpp"
 #include "lanes/ray_stack.hpp"
 
 namespace meniscus::lanes {
@@ -33,6 +34,14 @@ struct Counts {
     int deepest_level = 0;
 };
 
+/// A crossing of a line with a foreign solid.
+struct Met {
+    double t;
+    geom::Face face;
+    double slope;  // direction . normal, negative where the line enters; only its sign holds far
+                   // from the line's origin
+};
+
 /// Who owns the picture, textures and lights, and the general way of following a ray.
 class Host {
 public:
@@ -46,6 +55,13 @@ public:
     /// Shades a surface: returns its own light times the throughput, and pushes the rays that go
     /// on.
     virtual geom::Vec3 shade(const Surface& surface, RayStack& stack) = 0;
+    /// What a foreign convex solid leaves of a line; `pin` as for geom::Sphere::interval.
+    virtual geom::Interval interval(const Solid& solid, const geom::Ray& ray, geom::Face pin) = 0;
+    /// The crossings of a line with a foreign solid, sorted; their number, or -1 if there are more
+    /// than `most_lathe_crossings`.
+    virtual int crossings(const Solid& solid, const geom::Ray& ray, Met* out) = 0;
+    /// Puts a point back on a face of a foreign solid: returns the outward unit normal there.
+    virtual geom::Vec3 put_on_face(const Solid& solid, geom::Face face, geom::Vec3& point) = 0;
     /// Follows a ray and all that comes of it: returns the light times the throughput. For what is
     /// too close to call in lanes.
     virtual geom::Vec3 follow(const WaitingRay& ray) = 0;

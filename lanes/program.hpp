@@ -21,7 +21,13 @@ inline constexpr int most_lathe_crossings = 4;
 
 inline constexpr int no_rank = -1;
 
-enum class Kind { sphere, box, cylinder, half_space, lathe };
+/// The last two are met by the host, one ray at a time: any other convex solid, and any other.
+enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
+
+/// Whether the host meets it.
+inline bool is_foreign(Kind kind) { return kind >= Kind::other_convex; }
+/// Whether a ray may be inside of it twice.
+inline bool has_two_stretches(Kind kind) { return kind == Kind::lathe || kind == Kind::other; }
 
 /// One straight piece of a lathe's profile: a * radius + b * height = c with (a, b) its outward
 /// unit normal.
@@ -89,7 +95,8 @@ struct Program {
 
     // What the scene has and needs; the rest is skipped.
     bool has_lights = true, attenuates = true, uses_keys = true;
-    bool two_words = true;  // places from 64 on
+    bool two_words = true;    // places from 64 on
+    bool has_foreign = true;  // solids that the host meets
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

@@ -243,6 +243,55 @@ struct LatheCrossings {
     }
 };
 
+/// What sorted crossings with a solid that is not convex mean to rays whose list is known. `known`
+/// are the rays of which `inside` tells where they start.
+HWY_INLINE void settle(const Program& program, const Solid& solid, const Rays& rays, M known,
+                       M inside, const LatheCrossings& found, Stretch& first, Stretch& second,
+                       M& unsure) {
+    // Entering and leaving must take turns, from outside to outside.
+    M open = no_lanes();
+    M real[most_lathe_crossings];
+    for (int k = 0; k < most_lathe_crossings; ++k) {
+        real[k] = found.t[k] < F(infinity);
+        const M entering = found.slope[k] < F(0.0);
+        open = open | (real[k] & (k % 2 == 0 ? !entering : entering));
+    }
+    open = open | (real[0] ^ real[1]) | (real[2] ^ real[3]);
+
+    // At the start the list says where the ray is (tracer/offers.cpp, collect_general).
+    const F tolerance =
+        max(F(program.tolerance_units * unit_roundoff) * (rays.birth + F(solid.magnitude)),
+            F(program.contact_tolerance));
+    M ahead[most_lathe_crossings], at_start[most_lathe_crossings];
+    M inside_beyond = no_lanes();
+    for (int k = 0; k < most_lathe_crossings; ++k) {
+        const F t = found.t[k];
+        at_start[k] = real[k] & (abs(t) * abs(found.slope[k]) <= tolerance);
+        ahead[k] = but_not(real[k] & (F(0.0) < t), at_start[k]);
+        inside_beyond = inside_beyond ^ ahead[k];
+    }
+    const M disagree = known & (inside_beyond ^ inside);
+    M settled = no_lanes();
+    Stretch* const results[2] = {&first, &second};
+    for (int pair = 0; pair < 2; ++pair) {
+        const int enter = 2 * pair, leave = enter + 1;
+        Stretch& result = *results[pair];
+        const M starts_by_entering =
+            but_not(disagree & inside_beyond & ahead[leave] & at_start[enter], ahead[enter]);
+        const M starts_by_leaving = but_not(disagree & at_start[leave], inside_beyond);
+        settled = settled ^ (starts_by_entering | starts_by_leaving);
+        const F none(infinity);
+        result.in = select(
+            ahead[leave],
+            select(ahead[enter], found.t[enter], select(starts_by_entering, F(0.0), F(-infinity))),
+            select(starts_by_leaving, F(-infinity), none));
+        result.out = select(ahead[leave], found.t[leave], select(starts_by_leaving, F(0.0), none));
+        result.face_in = found.piece[enter];
+        result.face_out = found.piece[leave];
+    }
+    unsure = unsure | open | but_not(disagree, settled);
+}
+
 /// A lathe of straight pieces about its y axis; two stretches. `known` are the rays of which
 /// `inside` tells where they start.
 HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, const Rays& rays,
@@ -351,51 +400,28 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
             }
         }
     }
-    // Entering and leaving must take turns, from outside to outside.
-    M real[most_lathe_crossings];
-    for (int k = 0; k < most_lathe_crossings; ++k) {
-        real[k] = found.t[k] < F(infinity);
-        const M entering = found.slope[k] < F(0.0);
-        open = open | (real[k] & (k % 2 == 0 ? !entering : entering));
-        if (k > 0) open = open | (real[k] & (found.t[k] - found.t[k - 1] < slack));
-    }
-    open = open | (real[0] ^ real[1]) | (real[2] ^ real[3]);
     open = open | steep;
-
-    // At the start the list says where the ray is (tracer/offers.cpp, collect_general).
-    const F tolerance =
-        max(F(program.tolerance_units * unit_roundoff) * (rays.birth + F(solid.magnitude)),
-            F(program.contact_tolerance));
-    M ahead[most_lathe_crossings], at_start[most_lathe_crossings];
-    M inside_beyond = no_lanes();
+    for (int k = 1; k < most_lathe_crossings; ++k)
+        open = open | ((found.t[k] < F(infinity)) & (found.t[k] - found.t[k - 1] < slack));
     for (int k = 0; k < most_lathe_crossings; ++k) {
-        F t = found.t[k] + shift;
-        if (solid.placed) t = t / length;
-        found.t[k] = t;
-        at_start[k] = real[k] & (abs(t) * abs(found.slope[k]) <= tolerance);
-        ahead[k] = but_not(real[k] & (F(0.0) < t), at_start[k]);
-        inside_beyond = inside_beyond ^ ahead[k];
+        found.t[k] = found.t[k] + shift;
+        if (solid.placed) found.t[k] = found.t[k] / length;
     }
-    const M disagree = known & (inside_beyond ^ inside);
-    M settled = no_lanes();
-    Stretch* const results[2] = {&first, &second};
-    for (int pair = 0; pair < 2; ++pair) {
-        const int enter = 2 * pair, leave = enter + 1;
-        Stretch& result = *results[pair];
-        const M starts_by_entering =
-            but_not(disagree & inside_beyond & ahead[leave] & at_start[enter], ahead[enter]);
-        const M starts_by_leaving = but_not(disagree & at_start[leave], inside_beyond);
-        settled = settled ^ (starts_by_entering | starts_by_leaving);
-        const F none(infinity);
-        result.in = select(
-            ahead[leave],
-            select(ahead[enter], found.t[enter], select(starts_by_entering, F(0.0), F(-infinity))),
-            select(starts_by_leaving, F(-infinity), none));
-        result.out = select(ahead[leave], found.t[leave], select(starts_by_leaving, F(0.0), none));
-        result.face_in = found.piece[enter];
-        result.face_out = found.piece[leave];
-    }
-    unsure = unsure | open | but_not(disagree, settled);
+    unsure = unsure | open;
+    settle(program, solid, rays, known, inside, found, first, second, unsure);
+}
+
+/// The lanes whose rays a foreign solid must be asked about: they meet the sphere around it before
+/// what is nearest so far, or it stands in their list or contacts.
+HWY_INLINE M near_foreign(const Solid& solid, const Rays& rays, M named, F nearest) {
+    const F3 e = rays.world.origin - F3(solid.center);
+    const F b = dot(e, rays.world.direction);
+    const F3 f = e - b * rays.world.direction;
+    const F room = F(solid.radius * solid.radius) - dot(f, f);
+    const F bound = nearest * F(1.0 + 1e-6) + F(1e-6) * (rays.largest + F(solid.radius));
+    const M met = (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
+                  ((-b < bound) | ((b + bound) * (b + bound) < room));
+    return rays.active & (named | met);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

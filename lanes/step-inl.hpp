@@ -42,6 +42,10 @@ private:
     void step();
     HWY_INLINE void take(Batch& batch);
     HWY_INLINE void find_stretches(Batch& batch);
+    HWY_INLINE void meet(Batch& batch, std::size_t solid);
+    HWY_INLINE Span ask_span(const Batch& batch, const Solid& solid, U contact, M which);
+    HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
+                                            M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch);
     HWY_INLINE void make_lists(Batch& batch, Top& before, Top& after);
     HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
@@ -49,6 +53,7 @@ private:
     HWY_INLINE void hand_over(Batch& batch);
     HWY_INLINE void attenuate(Batch& batch, M which, const Top& before);
     HWY_INLINE void arrive(const Batch& batch, M gone, const Top& before);
+    HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
     HWY_INLINE void put_on_small_spheres(M which, F owner, F3& point, F3& normal,
                                          F& owner_magnitude) const;
     HWY_INLINE void dress(const Batch& batch, M which, M by_surface, F3 point, F3 normal, F owner,
@@ -72,9 +77,10 @@ private:
     std::uint64_t group_bits_[list_words] = {};  // their places
 };
 
-/// The face number of a contact, in its place in the word of all contacts.
+/// The face number of a contact, in its place in the word of all contacts; 15: some face beyond the
+/// numbers that fit.
 HWY_INLINE U contact_word(F face, int index) {
-    const F with_exponent = face + F(1.0 + 0x1p52);
+    const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
     return shift_left(
         U(hn::BitCast(integers, with_exponent.a), hn::BitCast(integers, with_exponent.b)) & U(15),
         4 * index);
@@ -115,80 +121,149 @@ HWY_INLINE void Kernel::take(Batch& batch) {
 
 /// Where each solid's stretches of the rays lie, and the nearest crossing that is true.
 HWY_INLINE void Kernel::find_stretches(Batch& batch) {
-    const Rays& rays = batch.rays;
     batch.nearest = F(infinity);
     batch.pivot_magnitude = F(0.0);
     batch.unsure = no_lanes();
-    std::size_t slots = 0;
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
-        const Solid& solid = program_.solids[i];
-        const U bit(1ull << (solid.place % 64));
-        const M listed =
-            !(((solid.place < 64 ? batch.inside.low : batch.inside.high) & bit) == U(0));
-        const U contact = contact_of(rays, int(i));
-        const M has_contact = !(contact == U(0));
-        const M in_shape = solid.inverse ? !listed : listed;
+        if (!is_foreign(program_.solids[i].kind)) meet(batch, i);
+    }
+    if (!program_.groups.empty()) find_small_spheres(batch);
+    // The host is asked last, when it is known how near a crossing must be.
+    if (!program_.has_foreign) return;
+    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
+        if (is_foreign(program_.solids[i].kind)) meet(batch, i);
+    }
+}
 
-        M unsure = no_lanes();
-        const std::size_t first = slots;
-        if (solid.kind == Kind::lathe) {
-            lathe_stretches(program_, solid, rays, solid.rank >= 0 ? !no_lanes() : has_contact,
-                            in_shape, batch.stretches[slots], batch.stretches[slots + 1], unsure);
-            slots += 2;
-        } else {
-            Span span;
-            switch (solid.kind) {
-                case Kind::sphere:
-                    span = sphere_span(solid, rays, contact);
-                    break;
-                case Kind::box:
-                    span = box_span(solid, rays, contact);
-                    break;
-                case Kind::cylinder:
-                    span = cylinder_span(solid, rays, contact);
-                    break;
-                default:
-                    span = half_space_span(solid, rays, contact);
-                    break;
-            }
-            // What stands in no list is judged by place, but where the ray was born on it.
-            const M begins_inside =
-                solid.rank >= 0 ? in_shape
-                                : select_mask(has_contact, in_shape,
-                                              span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
-            batch.stretches[slots++] =
-                resolve(program_, solid, rays, span, begins_inside, has_contact, unsure);
+/// What solid `i` has to say about the rays.
+HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
+    const Rays& rays = batch.rays;
+    const Solid& solid = program_.solids[i];
+    const U bit(1ull << (solid.place % 64));
+    const M listed = !(((solid.place < 64 ? batch.inside.low : batch.inside.high) & bit) == U(0));
+    const U contact = contact_of(rays, int(i));
+    const M has_contact = !(contact == U(0));
+    const M in_shape = solid.inverse ? !listed : listed;
+    const M known = solid.rank >= 0 ? !no_lanes() : has_contact;
+    const std::size_t first = 2 * i, end = first + (has_two_stretches(solid.kind) ? 2 : 1);
+    Stretch* const stretches = batch.stretches;
+
+    M unsure = no_lanes();
+    if (solid.kind == Kind::lathe) {
+        lathe_stretches(program_, solid, rays, known, in_shape, stretches[first],
+                        stretches[first + 1], unsure);
+    } else if (solid.kind == Kind::other) {
+        const LatheCrossings found = ask_crossings(
+            batch, solid,
+            near_foreign(solid, rays, (known & in_shape) | has_contact, batch.nearest), unsure);
+        settle(program_, solid, rays, known, in_shape, found, stretches[first],
+               stretches[first + 1], unsure);
+    } else {
+        Span span;
+        switch (solid.kind) {
+            case Kind::sphere:
+                span = sphere_span(solid, rays, contact);
+                break;
+            case Kind::box:
+                span = box_span(solid, rays, contact);
+                break;
+            case Kind::cylinder:
+                span = cylinder_span(solid, rays, contact);
+                break;
+            case Kind::half_space:
+                span = half_space_span(solid, rays, contact);
+                break;
+            default:
+                span = ask_span(
+                    batch, solid, contact,
+                    near_foreign(solid, rays, (known & in_shape) | has_contact, batch.nearest));
         }
-        if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
-            M unseen = no_lanes();
-            if (!solid.to_camera) unseen = !(batch.is_shadow | batch.is_mirrored);
-            if (!solid.to_mirrors) unseen = unseen | batch.is_mirrored;
-            if (!solid.to_lights) unseen = unseen | batch.is_shadow;
-            unsure = but_not(unsure, unseen);
-            for (std::size_t slot = first; slot < slots; ++slot) {
-                batch.stretches[slot].in = select(unseen, F(infinity), batch.stretches[slot].in);
-                batch.stretches[slot].out = select(unseen, F(infinity), batch.stretches[slot].out);
-            }
-        }
-        batch.unsure = batch.unsure | unsure;
-        const F rank{double(solid.rank)};
-        const M is_top = batch.top == rank, is_weaker = batch.top < rank;
-        for (std::size_t slot = first; slot < slots; ++slot) {
-            const Stretch& stretch = batch.stretches[slot];
-            const M leaves_shape = stretch.in == F(-infinity);
-            F crossing = select(leaves_shape, stretch.out, stretch.in);
-            if (solid.rank >= 0) {
-                // To enter is true for what is stronger than the top, to leave for the top.
-                const M is_true = solid.inverse ? select_mask(leaves_shape, is_weaker, is_top)
-                                                : select_mask(leaves_shape, is_top, is_weaker);
-                crossing = select(is_true, crossing, F(infinity));
-            }
-            if (!program_.one_tolerance)
-                batch.pivot_magnitude =
-                    select(crossing < batch.nearest, F(solid.magnitude), batch.pivot_magnitude);
-            batch.nearest = min(crossing, batch.nearest);
+        // What stands in no list is judged by place, but where the ray was born on it.
+        const M begins_inside =
+            select_mask(known, in_shape, span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
+        stretches[first] = resolve(program_, solid, rays, span, begins_inside, has_contact, unsure);
+    }
+    if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
+        M unseen = no_lanes();
+        if (!solid.to_camera) unseen = !(batch.is_shadow | batch.is_mirrored);
+        if (!solid.to_mirrors) unseen = unseen | batch.is_mirrored;
+        if (!solid.to_lights) unseen = unseen | batch.is_shadow;
+        unsure = but_not(unsure, unseen);
+        for (std::size_t slot = first; slot < end; ++slot) {
+            stretches[slot].in = select(unseen, F(infinity), stretches[slot].in);
+            stretches[slot].out = select(unseen, F(infinity), stretches[slot].out);
         }
     }
+    batch.unsure = batch.unsure | unsure;
+    const F rank{double(solid.rank)};
+    const M is_top = batch.top == rank, is_weaker = batch.top < rank;
+    for (std::size_t slot = first; slot < end; ++slot) {
+        const Stretch& stretch = stretches[slot];
+        const M leaves_shape = stretch.in == F(-infinity);
+        F crossing = select(leaves_shape, stretch.out, stretch.in);
+        if (solid.rank >= 0) {
+            // To enter is true for what is stronger than the top, to leave for the top.
+            const M is_true = solid.inverse ? select_mask(leaves_shape, is_weaker, is_top)
+                                            : select_mask(leaves_shape, is_top, is_weaker);
+            crossing = select(is_true, crossing, F(infinity));
+        }
+        if (!program_.one_tolerance)
+            batch.pivot_magnitude =
+                select(crossing < batch.nearest, F(solid.magnitude), batch.pivot_magnitude);
+        batch.nearest = min(crossing, batch.nearest);
+    }
+}
+
+/// What the host's own convex solids leave of the lines of `which`.
+HWY_INLINE Span Kernel::ask_span(const Batch& batch, const Solid& solid, U contact, M which) {
+    Doubles t0{F(infinity)}, t1{F(-infinity)}, face0{F(-1.0)}, face1{F(-1.0)};
+    std::uint32_t hit = 0;
+    if (any(which)) {
+        const Words contacts(contact);
+        const Line3 lines(batch.rays);
+        for_each(which, [&](std::size_t lane) {
+            const geom::Interval interval =
+                host_.interval(solid, lines.ray(lane), geom::Face(contacts[lane]) - 1);
+            t0[lane] = interval.t0;
+            t1[lane] = interval.t1;
+            face0[lane] = double(interval.face0);
+            face1[lane] = double(interval.face1);
+            if (interval.hit) hit |= 1u << lane;
+        });
+    }
+    return {load(t0.at), load(t1.at), load(face0.at), load(face1.at), mask_of(hit)};
+}
+
+/// The crossings of the lines of `which` with one of the host's own solids.
+HWY_INLINE LatheCrossings Kernel::ask_crossings(const Batch& batch, const Solid& solid, M which,
+                                                M& unsure) {
+    Doubles t[most_lathe_crossings], face[most_lathe_crossings], slope[most_lathe_crossings];
+    for (int k = 0; k < most_lathe_crossings; ++k) {
+        t[k] = Doubles(F(infinity));
+        face[k] = slope[k] = Doubles(F(0.0));
+    }
+    std::uint32_t too_many = 0;
+    if (any(which)) {
+        const Line3 lines(batch.rays);
+        for_each(which, [&](std::size_t lane) {
+            Met met[most_lathe_crossings];
+            const int count = host_.crossings(solid, lines.ray(lane), met);
+            if (count < 0) too_many |= 1u << lane;
+            for (int k = 0; k < count; ++k) {
+                t[k][lane] = met[k].t;
+                face[k][lane] = double(met[k].face);
+                slope[k][lane] = met[k].slope;
+            }
+        });
+    }
+    unsure = unsure | mask_of(too_many);
+    LatheCrossings found;
+    for (int k = 0; k < most_lathe_crossings; ++k) {
+        found.t[k] = load(t[k].at);
+        found.piece[k] = load(face[k].at);
+        found.slope[k] = load(slope[k].at);
+    }
+    return found;
 }
 
 /// Small spheres are met by few rays each: lane by lane, eight spheres at once. Draws `nearest`
@@ -310,7 +385,6 @@ HWY_INLINE void Kernel::make_lists(Batch& batch, Top& before, Top& after) {
     const F reach = max(F(1e-7) * (far + pivot), F(100.0) * least);
     const F common = max(units * (far + pivot), least);
     M torn = no_lanes();
-    std::size_t slots = 0;
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
         const F tolerance = program_.one_tolerance
@@ -319,8 +393,8 @@ HWY_INLINE void Kernel::make_lists(Batch& batch, Top& before, Top& after) {
         const F low = t - tolerance, high = t + tolerance;
         M is_before = no_lanes(), is_after = is_before, once = is_before;
         F face(0.0);
-        for (int part = 0; part < (solid.kind == Kind::lathe ? 2 : 1); ++part) {
-            const Stretch& stretch = batch.stretches[slots++];
+        for (std::size_t part = 0; part < (has_two_stretches(solid.kind) ? 2 : 1); ++part) {
+            const Stretch& stretch = batch.stretches[2 * i + part];
             const M entered = stretch.in < low, entered_after = stretch.in <= high;
             const M left = stretch.out < low, left_after = stretch.out <= high;
             const M enters = entered ^ entered_after, leaves = left ^ left_after;
@@ -500,6 +574,23 @@ HWY_INLINE void Kernel::arrive(const Batch& batch, M gone, const Top& before) {
     });
 }
 
+/// Points on a face of one of the host's own solids.
+HWY_INLINE FacePoint Kernel::ask_face(const Solid& solid, M which, const F3& point, F face) {
+    Doubles x{point.x}, y{point.y}, z{point.z}, nx{F(0.0)}, ny{F(1.0)}, nz{F(0.0)};
+    const Doubles faces(face);
+    for_each(which, [&](std::size_t lane) {
+        geom::Vec3 p{x[lane], y[lane], z[lane]};
+        const geom::Vec3 n = host_.put_on_face(solid, geom::Face(faces[lane]), p);
+        x[lane] = p.x;
+        y[lane] = p.y;
+        z[lane] = p.z;
+        nx[lane] = n.x;
+        ny[lane] = n.y;
+        nz[lane] = n.z;
+    });
+    return {{load(x.at), load(y.at), load(z.at)}, {load(nx.at), load(ny.at), load(nz.at)}};
+}
+
 /// Points that lie on small spheres, and the normals there.
 HWY_INLINE void Kernel::put_on_small_spheres(M which, F owner, F3& point, F3& normal,
                                              F& owner_magnitude) const {
@@ -651,7 +742,6 @@ void Kernel::step() {
     take(batch);
     counts_.segments += batch.size;
     find_stretches(batch);
-    if (!program_.groups.empty()) find_small_spheres(batch);
     Top before(program_.outside), after(program_.outside);
     make_lists(batch, before, after);
     if (any(batch.unsure)) hand_over(batch);
@@ -709,7 +799,8 @@ void Kernel::step() {
                            ? by_surface & (batch.surface == F(double(i)))
                            : but_not(member_met, same) & (owner == F(double(solid.rank)));
         if (!any(here)) continue;
-        const FacePoint put = face_point(solid, point, face);
+        const FacePoint put = is_foreign(solid.kind) ? ask_face(solid, here, point, face)
+                                                     : face_point(solid, point, face);
         point = select(here, put.point, point);
         normal = select(here, solid.inverse ? F(-1.0) * put.normal : put.normal, normal);
         owner_magnitude = select(here, F(solid.magnitude), owner_magnitude);

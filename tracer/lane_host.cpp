@@ -207,6 +207,35 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
     return throughput * own;
 }
 
+geom::Interval LaneHost::interval(const lanes::Solid& solid, const geom::Ray& ray, geom::Face pin) {
+    return scene_.parts[std::size_t(solid.part)].shape.interval(ray, pin);
+}
+
+int LaneHost::crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::Met* out) {
+    const geom::PlacedShape& shape = scene_.parts[std::size_t(solid.part)].shape;
+    crossings_.clear();
+    shape.crossings(ray, crossings_);
+    if (crossings_.size() > std::size_t(lanes::most_lathe_crossings)) return -1;
+    int count = 0;
+    for (const geom::Crossing& crossing : crossings_) {
+        // Only about the origin is more than the sign needed.
+        double slope = crossing.entering ? -1.0 : 1.0;
+        if (std::abs(crossing.t) <= 1e-3 * solid.magnitude) {
+            const double cosine =
+                std::abs(glm::dot(ray.direction, shape.normal(crossing.face, ray.at(crossing.t))));
+            slope *= std::max(cosine, 1e-300);
+        }
+        out[count++] = {crossing.t, crossing.face, slope};
+    }
+    return count;
+}
+
+Vec3 LaneHost::put_on_face(const lanes::Solid& solid, geom::Face face, Vec3& point) {
+    const geom::PlacedShape& shape = scene_.parts[std::size_t(solid.part)].shape;
+    point = shape.on_face(face, point);
+    return shape.normal(face, point);
+}
+
 Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     RayTree::Pending pending;
     TracedRay& traced = pending.ray;
@@ -218,7 +247,7 @@ Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     }
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const int face = int(ray.contacts >> (4 * i) & 15u) - 1;
-        if (face < 0) continue;
+        if (face < 0 || face > 13) continue;  // of a number that fits
         traced.contacts.push_back(
             {program_.solids[i].part, face, is_bit(ray.inside, program_.solids[i].place)});
     }

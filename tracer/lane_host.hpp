@@ -25,6 +25,10 @@ public:
     geom::Vec3 sky(const geom::Vec3& direction, int rank) override;
     geom::Vec3 transmittance(int rank, double way, bool of_shadow) override;
     geom::Vec3 shade(const lanes::Surface& surface, lanes::RayStack& stack) override;
+    geom::Interval interval(const lanes::Solid& solid, const geom::Ray& ray,
+                            geom::Face pin) override;
+    int crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::Met* out) override;
+    geom::Vec3 put_on_face(const lanes::Solid& solid, geom::Face face, geom::Vec3& point) override;
     geom::Vec3 follow(const lanes::WaitingRay& ray) override;
 
 private:
@@ -49,6 +53,7 @@ private:
     bool same_start_ = false;  // every camera ray has the list of `start_`
     lanes::WaitingRay start_;
     Shading shading_;
+    geom::Crossings crossings_;
 };
 
 }  // namespace meniscus::tracer

@@ -65,16 +65,22 @@ lanes::Solid convert(const geom::Plane& plane) {
     return solid;
 }
 
+lanes::Solid foreign(const geom::Bounds& bounds, bool is_convex) {
+    lanes::Solid solid;
+    solid.kind = is_convex ? lanes::Kind::other_convex : lanes::Kind::other;
+    solid.center = 0.5 * (bounds.low + bounds.high);
+    solid.radius =
+        0.5 * glm::length(bounds.size()) * (1.0 + 1e-6) + 1e-9 * geom::max_abs(solid.center);
+    return solid;
+}
+
 lanes::Solid convert(const geom::Lathe& lathe) {
     lanes::Solid solid;
     solid.kind = lanes::Kind::lathe;
     const geom::Profile& profile = lathe.profile();
-    if (profile.pieces().size() > std::size_t(lanes::most_pieces))
-        throw CannotHave{"a lathe of more than " + std::to_string(lanes::most_pieces) + " pieces"};
     solid.middle = 0.5 * (profile.low().y + profile.high().y);
     solid.size = profile.size();
     for (const geom::ProfilePiece& piece : profile.pieces()) {
-        if (!piece.straight) throw CannotHave{"a lathe with a curved profile"};
         solid.pieces.push_back({piece.line.a * piece.outward, piece.line.b * piece.outward,
                                 piece.line.c * piece.outward, piece.low.x, piece.high.x,
                                 piece.low.y, piece.high.y});
@@ -82,15 +88,30 @@ lanes::Solid convert(const geom::Lathe& lathe) {
     return solid;
 }
 
-template <class Other>
-lanes::Solid convert(const Other& shape) {
-    throw CannotHave{"a " + std::string(shape.keyword)};
+/// Whether lanes have code for a shape of their own.
+bool is_native(const geom::Shape& shape) {
+    if (const auto* lathe = std::get_if<geom::Lathe>(&shape)) {
+        const auto& pieces = lathe->profile().pieces();
+        return pieces.size() <= std::size_t(lanes::most_pieces) &&
+               std::ranges::all_of(pieces, [](const auto& piece) { return piece.straight; });
+    }
+    return std::holds_alternative<geom::Sphere>(shape) ||
+           std::holds_alternative<geom::Box>(shape) ||
+           std::holds_alternative<geom::Cylinder>(shape) ||
+           std::holds_alternative<geom::Plane>(shape);
 }
-lanes::Solid convert(const geom::Mesh&) { throw CannotHave{"a mesh"}; }
+
+template <class Other>
+lanes::Solid convert(const Other&) {
+    return {};  // not native
+}
 
 lanes::Solid make_solid(const Part& part, int index) {
-    lanes::Solid solid =
-        std::visit([](const auto& shape) { return convert(shape); }, part.shape.shape());
+    const geom::Shape& shape = part.shape.shape();
+    if (std::holds_alternative<geom::Mesh>(shape)) throw CannotHave{"a mesh"};
+    lanes::Solid solid = is_native(shape)
+                             ? std::visit([](const auto& s) { return convert(s); }, shape)
+                             : foreign(part.shape.bounds(), part.shape.is_convex());
     solid.part = index;
     solid.inverse = part.inverse;
     solid.to_camera = !part.no_image;
@@ -261,6 +282,8 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         solid.place = solid.rank >= 0 ? solid.rank : int(members.size() + i);
     }
     program.two_words = members.size() + program.solids.size() > 64;
+    program.has_foreign = std::ranges::any_of(
+        program.solids, [](const auto& solid) { return lanes::is_foreign(solid.kind); });
     program.has_lights = !scene.source.lights.empty();
     program.attenuates = scene.has_attenuation;
 

@@ -51,3 +51,10 @@ TEST_CASE("lattice scenes, stretched, sheared, with complements and unions, in l
                  .textured = true,
                  .complements = true});
 }
+
+// Cones, tori and curved lathes are met by the host, one ray at a time.
+TEST_CASE("lattice scenes with cones, tori and lathes, in lanes", "[lanes][oracle]") {
+    check_equal(
+        2300, 24,
+        {.rotated = true, .cones = true, .tori = true, .lathes = true, .complements = true});
+}
