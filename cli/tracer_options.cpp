@@ -143,9 +143,10 @@ void add_tracer_options(CLI::App& app, TracerOptions& o) {
         ->group("Light");
     auto kernels = lanes::instruction_sets();
     kernels.insert(kernels.begin(), {"automatic", "general"});
-    app.add_option("--kernel", o.kernel,
-                   "Code that follows rays: automatic (in lanes where the scene allows it), general "
-                   "(one at a time), or lanes of this instruction set")
+    app.add_option(
+           "--kernel", o.kernel,
+           "Code that follows rays: automatic (in lanes where the scene allows it), general "
+           "(one at a time), or lanes of this instruction set")
         ->check(CLI::IsMember(kernels))
         ->type_name("KERNEL")
         ->group("Light");
