@@ -103,6 +103,7 @@ struct Batch {
     M is_shadow, is_mirrored;
     // Where each solid's stretches of them lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
+    bool is_near[most_solids];  // whether there are any
     SphereStretches spheres[lanes];
     // The nearest crossing that is true.
     F nearest, pivot_magnitude;

@@ -149,6 +149,7 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     Stretch* const stretches = batch.stretches;
 
     M unsure = no_lanes();
+    batch.is_near[i] = true;
     if (solid.kind == Kind::lathe) {
         lathe_stretches(program_, solid, rays, known, in_shape, stretches[first],
                         stretches[first + 1], unsure);
@@ -178,6 +179,8 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
                     batch, solid, contact,
                     near_foreign(solid, rays, (known & in_shape) | has_contact, batch.nearest));
         }
+        batch.is_near[i] = any(rays.active & (span.hit | (known & in_shape)));
+        if (!batch.is_near[i] && !solid.inverse) return;
         // What stands in no list is judged by place, but where the ray was born on it.
         const M begins_inside =
             select_mask(known, in_shape, span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
@@ -195,6 +198,8 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
         }
     }
     batch.unsure = batch.unsure | unsure;
+    batch.is_near[i] = any(rays.active & ((stretches[first].in < F(infinity)) |
+                                          (stretches[end - 1].in < F(infinity))));
     const F rank{double(solid.rank)};
     const M is_top = batch.top == rank, is_weaker = batch.top < rank;
     for (std::size_t slot = first; slot < end; ++slot) {
@@ -387,6 +392,7 @@ HWY_INLINE void Kernel::make_lists(Batch& batch, Top& before, Top& after) {
     M torn = no_lanes();
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
+        if (!batch.is_near[i] && !solid.inverse) continue;  // nowhere before, nowhere after
         const F tolerance = program_.one_tolerance
                                 ? common
                                 : max(units * (far + max(pivot, F(solid.magnitude))), least);
