@@ -16,11 +16,12 @@ std::string cell(const std::string& text) {
 }
 
 std::string counts(const Row& row) {
-    if (row.contender.is_povray()) return ",,,,,,,,,";
+    if (row.contender.is_povray()) return ",,,,,,,,,,";
     const auto& n = row.counts;
-    return fmt::format("{},{},{},{},{},{},{},{},{},{:.4g}", n.samples, n.camera_rays,
+    return fmt::format("{},{},{},{},{},{},{},{},{},{:.4g},{}", n.samples, n.camera_rays,
                        n.reflected_rays, n.refracted_rays, n.shadow_rays, n.casts, n.segments,
-                       n.true_crossings, n.false_crossings, row.nanoseconds_a_segment());
+                       n.true_crossings, n.false_crossings, row.nanoseconds_a_segment(),
+                       cell(row.kernel));
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ std::string format_csv(const std::vector<Report>& reports) {
         "scene,width,height,threads,curve,options,on_front,rmse,bias,reference_rmse,"
         "estimated_error,cpu_seconds,least_seconds,largest_seconds,runs,samples,camera_rays,"
         "reflected_rays,refracted_rays,shadow_rays,casts,segments,true_crossings,false_crossings,"
-        "ns_a_segment\n";
+        "ns_a_segment,kernel\n";
     for (const auto& [result, at_equal_error, of_equal_tasks] : reports) {
         for (const auto& row : result.rows) {
             if (!row.failure.empty()) continue;

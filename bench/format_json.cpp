@@ -21,6 +21,7 @@ Json to_json(const Row& row) {
     json["cpu_seconds"] = row.median_seconds();
     json["runs"] = row.seconds;
     if (row.contender.is_povray()) return json;
+    json["kernel"] = row.kernel;
     const auto& n = row.counts;
     json["samples"] = n.samples;
     json["rays"] = {{"camera", n.camera_rays},

@@ -71,7 +71,7 @@ public:
         result_.gap = setup.gap;
         for (auto& contender : make_contenders(setup.sweep)) {
             result_.is_clipped = result_.is_clipped || setup.clip || contender.is_povray();
-            result_.rows.push_back({std::move(contender), {}, {}, {}, 0.0, false, {}});
+            result_.rows.push_back({std::move(contender), {}, {}, {}, {}, 0.0, false, {}});
         }
     }
 
@@ -150,6 +150,7 @@ private:
         if (rendered.interrupted) return;
         row.counts = std::move(rendered.statistics);
         row.estimated_error = rendered.estimated_error;
+        row.kernel = rendered.why_general.empty() ? "lanes" : "general: " + rendered.why_general;
         add(row, std::move(rendered.picture), rendered.cpu_seconds);
     }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace meniscus::bench {
 namespace {
 
@@ -13,14 +15,17 @@ std::string describe(const Limits& limits) {
                        limits.adc_bailout);
 }
 
-std::string curve_name(Model model, InteriorMode mode) {
+std::string curve_name(Model model, const tracer::Options& options) {
     auto text = fmt::format("Meniscus, {}", name(model));
-    if (mode != InteriorMode::sweep) text += fmt::format(", {}", tracer::name(mode));
+    if (options.interior != InteriorMode::sweep)
+        text += fmt::format(", {}", tracer::name(options.interior));
+    else if (options.kernel == tracer::Kernel::general)
+        text += ", general";
     return text;
 }
 
 Contender by_meniscus(Model model, const tracer::Options& options, const std::string& words) {
-    Contender contender{curve_name(model, options.interior), words, {}, model, {}, {}};
+    Contender contender{curve_name(model, options), words, {}, model, {}, {}};
     contender.how = ByMeniscus{options};
     return contender;
 }
@@ -133,6 +138,8 @@ Sweep full_sweep() {
 
 std::vector<Contender> make_contenders(const Sweep& sweep) {
     std::vector<Contender> all;
+    const auto is_other = [](InteriorMode mode) { return mode != InteriorMode::sweep; };
+    const bool has_others = std::ranges::any_of(sweep.modes, is_other);
     for (const auto model : sweep.models) {
         for (const auto mode : sweep.modes) {
             tracer::Options options;
@@ -140,9 +147,14 @@ std::vector<Contender> make_contenders(const Sweep& sweep) {
             options.depth = sweep.depth;
             add_whitted(all, sweep, model, options);
             add_samples(all, sweep, model, options);
-            if (mode != InteriorMode::sweep) continue;
+            if (is_other(mode)) continue;
             add_errors(all, sweep, model, options);
             add_full_trees(all, sweep, model, options);
+            if (!has_others) continue;
+            // The other modes know no lanes: beside them stands `sweep` without lanes.
+            options.kernel = tracer::Kernel::general;
+            add_whitted(all, sweep, model, options);
+            add_samples(all, sweep, model, options);
         }
         if (sweep.povray) add_povray(all, sweep, model);
     }

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int small_tile = 16, large_tile = 32;  // pixels; rays one at a time, or in lanes
 constexpr int most_samples = 1 << 16;
+constexpr std::size_t samples_at_once = 1 << 16;
 
 double cpu_seconds() {
     timespec now{};
@@ -114,6 +115,7 @@ public:
     void follow_singly(Worker& worker, const Region& window, Plan&& plan) {
         for (int y = window.y0; y < window.y1; ++y) {
             for (int x = window.x0; x < window.x1; ++x) {
+                if (interrupted()) return;
                 worker.samples.clear();
                 plan(x, y, worker.samples);
                 Pixel& pixel = film_.at(x, y);
@@ -129,43 +131,55 @@ public:
         }
     }
 
-    /// All samples of a window at once. Each half of a pixel has a sum of its own.
+    /// Some ten thousand samples at a time, of as many pixels as that takes. Each half of a pixel
+    /// has a sum of its own.
     template <class Plan>
     void follow_in_lanes(Worker& worker, const Region& window, Plan&& plan) {
-        const int width = window.x1 - window.x0, height = window.y1 - window.y0;
         worker.samples.clear();
-        struct Half {
-            double weight = 0.0;
-            int count = 0;
-        };
-        std::vector<Half> halves(std::size_t(2 * width * height));
+        std::vector<Half> halves;
         for (int y = window.y0; y < window.y1; ++y) {
             for (int x = window.x0; x < window.x1; ++x) {
                 const std::size_t first = worker.samples.size();
                 plan(x, y, worker.samples);
                 int number = film_.at(x, y).samples;
-                const int pixel = (y - window.y0) * width + (x - window.x0);
+                const auto even = std::uint32_t(halves.size());
+                halves.push_back({&film_.at(x, y), false});
+                halves.push_back({&film_.at(x, y), true});
                 for (std::size_t i = first; i < worker.samples.size(); ++i, ++number) {
                     Sample& sample = worker.samples[i];
-                    sample.target = std::uint32_t(2 * pixel + number % 2);
+                    sample.target = even + std::uint32_t(number % 2);
                     halves[sample.target].weight += sample.weight;
                     ++halves[sample.target].count;
                 }
+                if (worker.samples.size() < samples_at_once) continue;
+                follow_in_lanes(worker, halves);
+                if (interrupted()) return;
             }
         }
-        if (worker.samples.empty()) return;
-        worker.host->run(worker.samples, halves.size());
+        follow_in_lanes(worker, halves);
+    }
+
+    struct Half {
+        Pixel* pixel;
+        bool is_odd;
+        double weight = 0.0;
+        int count = 0;
+    };
+
+    void follow_in_lanes(Worker& worker, std::vector<Half>& halves) {
+        if (!worker.samples.empty()) worker.host->run(worker.samples, halves.size());
         const double unit = 1.0 / std::get<lanes::Program>(program_).units;
         for (std::size_t i = 0; i < halves.size(); ++i) {
-            if (halves[i].count == 0) continue;
+            const Half& half = halves[i];
+            if (half.count == 0) continue;
             const std::int64_t* sum = &worker.host->sums()[4 * i];
             const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit,
                                    double(sum[2]) * unit};
-            const int pixel = int(i / 2);
-            Pixel& whole = film_.at(window.x0 + pixel % width, window.y0 + pixel / width);
-            whole.add_half(i % 2 == 1, light, halves[i].weight, halves[i].count);
-            whole.cost += double(sum[3]);
+            half.pixel->add_half(half.is_odd, light, half.weight, half.count);
+            half.pixel->cost += double(sum[3]);
         }
+        worker.samples.clear();
+        halves.clear();
     }
 
     Sample sample_at(int x, int y, double u, double v, std::uint64_t number) const {

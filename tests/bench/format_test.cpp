@@ -17,6 +17,7 @@ Report report() {
     ours.error.bias = -1e-3;
     ours.estimated_error = 0.02;
     ours.counts.segments = 1000;
+    ours.kernel = "general: no, not here";
     ours.counts.samples = 48;
     auto theirs = row("POV-Ray, gap", 0.025, {5.0}, "+A0 \"R\" 3");
     auto broken = row("POV-Ray, gap", 0.0, {}, "-A");
@@ -42,10 +43,10 @@ TEST_CASE("CSV has a line for each picture, and quotes what would break it", "[b
     CHECK(
         csv[1] ==
         "glass.scene,4,3,1,\"Meniscus, gap\",--aa 0.03,1,0.025,-0.001,0.0001,0.02,0.5,0.25,1,3,48,"
-        "0,0,0,0,0,1000,0,0,5e+05");
+        "0,0,0,0,0,1000,0,0,5e+05,\"general: no, not here\"");
     CHECK(csv[2] ==
           "glass.scene,4,3,1,\"POV-Ray, gap\",\"+A0 \"\"R\"\" 3\",1,0.025,0,0.0001,,5,5,5,1,"
-          ",,,,,,,,,");
+          ",,,,,,,,,,");
     CHECK(csv[3] == csv[1]);
     const auto commas = [](const std::string& line) {
         bool is_quoted = false;
