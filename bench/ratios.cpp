@@ -21,10 +21,12 @@ std::vector<Pair> pairs(const Result& result) {
     std::vector<Pair> all = {{"POV-Ray, gap", "Meniscus, gap"},
                              {"POV-Ray, gap", "Meniscus, contact"},
                              {"POV-Ray, contact", "Meniscus, contact"}};
-    for (const auto* model : {"contact", "gap"})
+    for (const auto* model : {"contact", "gap"}) {
+        const auto ours = fmt::format("Meniscus, {}", model), general = ours + ", general";
+        all.push_back({general, ours});
         for (const auto* mode : {"recast", "off"})
-            all.push_back(
-                {fmt::format("Meniscus, {}, {}", model, mode), fmt::format("Meniscus, {}", model)});
+            all.push_back({fmt::format("{}, {}", ours, mode), general});
+    }
     std::erase_if(
         all, [&](const Pair& pair) { return !has(result, pair.peer) || !has(result, pair.curve); });
     return all;

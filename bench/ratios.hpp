@@ -19,9 +19,9 @@ struct Ratio {
 
 /// At equal error, read off the Pareto fronts: against POV-Ray in the same model, in contact
 /// against POV-Ray's gap, of lanes against the general kernel, and of that against the other
-/// interior modes. Without `errors` at
-/// three for each pair: from twice the peer's lowest (and no less than twice the reference's own
-/// error) to the largest that both have. What a front does not span is left out.
+/// interior modes. Without `errors` at three for each pair: from twice the peer's lowest (and no
+/// less than twice the reference's own error) to the largest that both have. What a front does not
+/// span is left out.
 std::vector<Ratio> ratios_at_equal_error(const Result& result, const std::vector<double>& errors);
 
 /// Of contenders of those pairs that did the same task.
