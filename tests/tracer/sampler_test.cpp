@@ -29,7 +29,8 @@ TEST_CASE("points depend on the seed and lie in the unit square", "[tracer]") {
     }
 }
 
-TEST_CASE("what chance decides is uniform over keys, within what 100000 of them can tell", "[tracer]") {
+TEST_CASE("what chance decides is uniform over keys, within what 100000 of them can tell",
+          "[tracer]") {
     const int n = 100000;
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < n; ++i) {
