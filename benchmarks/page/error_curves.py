@@ -48,6 +48,9 @@ def section(store, pictures, quick, folder):
         for model, reference in bench["references"].items():
             out += (f"Reference, {model}: {reference['samples']} samples a pixel, paths of {reference['depth']} segments, its own RMSE "
                     f"{reference['rmse']:.1e}, mean {reference['bias']:.0e}.\n")
+        for curve in ("Meniscus, contact", "Meniscus, gap"):
+            kernels = sorted({row["kernel"] for row in bench["rows"] if row["curve"] == curve and "kernel" in row})
+            out += f"{curve}, by kernel {'; '.join(kernels)}.\n" if kernels else ""
         head = ["at", "", "seconds", "against", "seconds", "times faster"]
         out += "\nAt equal error:\n\n" + markdown.table(head, ratio_rows(bench["at_equal_error"]))
         out += "\nThe same task (of POV-Ray: pixel centres within the same limits):\n\n"

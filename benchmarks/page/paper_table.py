@@ -27,7 +27,7 @@ def section(store, quick):
             if mode == "off":
                 base = {"instructions": total, "seconds": seconds}
             collect.append([
-                f"`{mode}`, {counted['kernel'].split(':')[0]}", total, markdown.percent(total / base["instructions"] - 1), markdown.number(seconds),
+                f"`{mode}`, {kernel}" + (f" ({counted['kernel']})" if kernel == "automatic" else ""), total, markdown.percent(total / base["instructions"] - 1), markdown.number(seconds),
                 markdown.percent(seconds / base["seconds"] - 1), counted["segments"], markdown.number(total / counted["segments"]),
                 f"{100 * list_share(functions, total):.2f} %"])
     head = ["", "instructions", "against `off`", "CPU seconds", "against `off`", "segments", "instructions a segment",
@@ -37,7 +37,7 @@ def section(store, quick):
     return ("## The paper's table\n\n"
             "Schmidt and Budge (2002) state for their tracer: 0.8 % overhead where the scene has no dielectric, a gain of more than 5 % with nested\n"
             "ones against an unmodified tracer, and less than 0.4 % of the run time in keeping lists. `recast` is their method, `off` an ordinary\n"
-            "tracer; all three by the general kernel, and `sweep` also by the one for lanes, with AVX2 for counts of instructions. The last column\n"
+            "tracer; all three by the general kernel, and `sweep` also by the one that the scene allows (of lanes, AVX2 for counts of instructions). The last column\n"
             "counts the list's own functions as far as the compiler did not inline them; lanes have none.\n\n"
             + commands + f"\nNo dielectric (`{OPAQUE}`):\n\n" + markdown.table(head, rows)
             + f"\nNested dielectrics (`{FIGURE_3}`, their Figure 3); `off` renders another picture here:\n\n" + markdown.table(head, figure) + "\n")
