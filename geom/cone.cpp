@@ -60,7 +60,13 @@ SideSpan side_span(const FromNarrowEnd& seen, double length, bool pinned) {
     }
     const double C = pinned ? 0.0 : a2 * glm::dot(across, across) - width * width;
 
-    if (A == 0.0 && B == 0.0) return {-infinity, infinity, C < 0.0};  // along a cylinder
+    if (A == 0.0) {
+        // Parallel to the slope: one root, at which the line leaves this half or enters the other.
+        if (B == 0.0) return {-infinity, infinity, C < 0.0};  // along a cylinder
+        const double root = pinned ? 0.0 : side.polish(ray, shift - 0.5 * C / B, 1e-6 * size);
+        if (B < 0.0) return {root, widening > 0.0 ? infinity : root, widening > 0.0};
+        return {widening < 0.0 ? -infinity : root, root, widening < 0.0};
+    }
 
     const double middle = -B / A;
     double discriminant = B * B - A * C;
@@ -79,9 +85,8 @@ SideSpan side_span(const FromNarrowEnd& seen, double length, bool pinned) {
     } else {
         const double root = glm::sqrt(discriminant);
         const double q = -(B + std::copysign(root, B));
-        const double two = q != 0.0 ? C / q : q / A;
-        const double one =
-            A != 0.0 ? q / A : two;  // parallel to the slope: the other is at infinity
+        const double one = q / A;
+        const double two = q != 0.0 ? C / q : one;
         // A step may not reach half-way to the other root, nor leap where the surface is almost
         // parallel to the ray.
         const double limit = glm::min(0.5 * root / glm::abs(A), 1e-6 * size);

@@ -38,6 +38,21 @@ TEST_CASE("a line parallel to the slope of a cone meets its side once", "[geom]"
     CHECK(p.y == Approx(0.5));
 }
 
+TEST_CASE("a line parallel to the slope of a cone misses it when it is outside", "[geom]") {
+    const Cone cone{{2.0, -1.0, -2.0}, 0.5, {2.0, 1.0, -2.0}, 0.0};
+    // Both ways along the same line, which stays 8e-10 outside up to the point of the cone.
+    const Vec3 origin{2.4094166914409052, -5.0740177243081828, -3.4622700442755585};
+    const Vec3 direction{-0.065392060059989335, 0.97014250014533188, 0.23355386507800605};
+    CHECK_FALSE(cone.interval({origin, direction}, no_face).hit);
+    CHECK_FALSE(cone.interval({origin, -direction}, no_face).hit);
+    // As far inside, it enters by the base and leaves by the side next to the point.
+    const Vec3 inside{origin.x - 1e-9, origin.y, origin.z + 1e-9};
+    const Interval interval = cone.interval({inside, direction}, no_face);
+    CHECK(interval.hit);
+    CHECK(interval.face0 == Cone::base_face);
+    CHECK(Ray{inside, direction}.at(interval.t1).y == Approx(1.0).margin(1e-6));
+}
+
 TEST_CASE("a cone of equal radii is a cylinder", "[geom]") {
     const Cone cone{{1.0, 0.0, 0.0}, 0.75, {0.5, 2.0, 0.25}, 0.75};
     const Cylinder cylinder{cone.base, cone.cap, 0.75};
