@@ -35,8 +35,8 @@ double EventFinder::cosine(const TracedRay& ray, const Offer& offer) const {
 }
 
 /// Takes what `part` offers up to the bound, and draws the bound nearer where one of its crossings
-/// is true.
-void EventFinder::offer(const TracedRay& ray, int index, int top, bool bound_by_exits) {
+/// may be true.
+void EventFinder::offer(const TracedRay& ray, int index, int top, Bound by) {
     if (visited_[index] == stamp_) return;
     visited_[index] = stamp_;
     const Part& part = scene_.parts[index];
@@ -44,28 +44,20 @@ void EventFinder::offer(const TracedRay& ray, int index, int top, bool bound_by_
 
     const std::size_t first = found_.size();
     offers_.collect(ray, index, bound_, found_);
+    if (by == Bound::nothing) return;
     for (std::size_t i = first; i < found_.size(); ++i) {
         const Offer& offer = found_[i];
-        bool is_true = !part.is_member, is_sure = true;
+        bool is_true = !part.is_member;
         if (part.is_member && top == outside) {
             is_true = offer.entering;
         } else if (part.is_member) {
             const Part& top_part = scene_.parts[top];
-            if (offer.entering) {
-                is_true = part.priority >= top_part.priority && part.solid != top_part.solid;
-            } else if (bound_by_exits && index == top) {
-                // Leaving the top is true unless another part of the same solid, or the same part
-                // again, is still there.
-                is_true = true;
-                is_sure = false;
-            }
+            is_true = offer.entering
+                          ? part.priority >= top_part.priority && part.solid != top_part.solid
+                          : by == Bound::true_crossings && index == top;
         }
         if (!is_true) continue;
-        const double limit = reach(scene_, offer.t, offers_.magnitude(ray, index, offer.t));
-        if (limit < bound_) {
-            bound_ = limit;
-            bound_is_sure_ = is_sure;
-        }
+        bound_ = std::min(bound_, reach(scene_, offer.t, offers_.magnitude(ray, index, offer.t)));
         break;  // sorted: what follows lies farther away
     }
 }
@@ -73,45 +65,51 @@ void EventFinder::offer(const TracedRay& ray, int index, int top, bool bound_by_
 /// One traversal: everything offered up to the nearest true crossing. The solids of the list and
 /// those that the ray starts on are asked first, since rounding could make the ray miss their
 /// bounds, and since leaving the top is a first bound.
-void EventFinder::collect(const TracedRay& ray, int top, double t_max, bool bound_by_exits) {
+void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by) {
     ++statistics_.casts;
     ++stamp_;
     found_.clear();
     bound_ = t_max;
-    bound_is_sure_ = true;
-    if (top != outside) offer(ray, top, top, bound_by_exits);
-    for (const InteriorList::Member& member : ray.interior)
-        offer(ray, member.part, top, bound_by_exits);
-    for (const Contact& contact : ray.contacts) offer(ray, contact.part, top, bound_by_exits);
-    for (const int part : scene_.unbounded) offer(ray, part, top, bound_by_exits);
+    if (top != outside) offer(ray, top, top, by);
+    for (const InteriorList::Member& member : ray.interior) offer(ray, member.part, top, by);
+    for (const Contact& contact : ray.contacts) offer(ray, contact.part, top, by);
+    for (const int part : scene_.unbounded) offer(ray, part, top, by);
     scene_.bvh.traverse(ray.ray, bound_, [&](std::uint32_t primitive) {
-        offer(ray, scene_.bvh_parts[primitive], top, bound_by_exits);
+        offer(ray, scene_.bvh_parts[primitive], top, by);
     });
     std::erase_if(found_, [&](const Offer& offer) { return offer.t > bound_; });
     std::ranges::sort(found_, [](const Offer& a, const Offer& b) {
         return a.t != b.t         ? a.t < b.t
                : a.part != b.part ? a.part < b.part
-                                  : !a.entering && b.entering;
+                                  : a.entering && !b.entering;
     });
 }
 
-std::optional<Event> EventFinder::sweep(TracedRay& ray, double t_max) {
+/// The next event, the ray's list being right. One traversal is enough unless what bounded it was
+/// no true crossing after all: a union that overlaps itself is left and still there, a solid is
+/// entered and left at one place. Then, and only then, the ray is followed farther.
+std::optional<Event> EventFinder::find_event(TracedRay& ray, double t_max) {
     const int top = ray.interior.top(scene_);
-    const std::uint64_t leaks_before = statistics_.leaks;
-    collect(ray, top, t_max, true);
-    const bool was_sure = bound_is_sure_;
+    const InteriorList at_start = ray.interior;
     const std::uint64_t false_before = statistics_.false_crossings;
-    InteriorList at_start;
-    if (!was_sure) at_start = ray.interior;
-    std::optional<Event> event = walk(ray);
-    if (!event && !was_sure) {
-        // What bounded the traversal was no true crossing after all (a union that overlaps itself):
-        // look farther.
-        statistics_.false_crossings = false_before;
-        ray.interior = at_start;
-        collect(ray, top, t_max, false);
+    const std::size_t judged_before = record ? record->size() : 0;
+    std::optional<Event> event;
+    for (const Bound by : {Bound::true_crossings, Bound::entries, Bound::nothing}) {
+        if (by != Bound::true_crossings) {
+            statistics_.false_crossings = false_before;
+            ray.interior = at_start;
+            if (record) record->resize(judged_before);
+        }
+        collect(ray, top, t_max, by);
         event = walk(ray);
+        if (event || bound_ == t_max) break;
     }
+    return event;
+}
+
+std::optional<Event> EventFinder::sweep(TracedRay& ray, double t_max) {
+    const std::uint64_t leaks_before = statistics_.leaks;
+    std::optional<Event> event = find_event(ray, t_max);
     if (options_.check_segments) check_segment(ray, event ? event->t : t_max);
     if (!event && t_max == geom::infinity) check_escape(ray);
     return statistics_.leaks == leaks_before ? event : recover(ray, t_max);

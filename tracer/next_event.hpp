@@ -44,8 +44,15 @@ private:
     std::optional<Event> recast(TracedRay& ray, double t_max);
 
     bool is_visible(const Part& part, RayKind kind) const;
-    void collect(const TracedRay& ray, int top, double t_max, bool bound_by_exits);
-    void offer(const TracedRay& ray, int part, int top, bool bound_by_exits);
+    /// What a traversal goes no farther than.
+    enum class Bound {
+        true_crossings,  // entries above the top, and the exit from it
+        entries,         // the former
+        nothing
+    };
+    std::optional<Event> find_event(TracedRay& ray, double t_max);
+    void collect(const TracedRay& ray, int top, double t_max, Bound by);
+    void offer(const TracedRay& ray, int part, int top, Bound by);
 
     std::optional<Event> walk(TracedRay& ray);
     std::size_t find_pivot(const InteriorList& list, std::size_t begin) const;
@@ -61,6 +68,8 @@ private:
                      const InteriorList& after) const;
     double cosine(const TracedRay& ray, const Offer& offer) const;
     void check_segment(const TracedRay& ray, double t);
+    std::optional<int> solid_at(const geom::Vec3& p, RayKind kind) const;
+    bool may_be_at(const geom::Vec3& p, double rounding, int solid, RayKind kind) const;
     void check_medium(const TracedRay& ray, double t, double at);
     std::optional<Event> recover(TracedRay& ray, double t_max);
     void check_escape(const TracedRay& ray);
@@ -74,8 +83,7 @@ private:
     geom::InlineVector<std::uint32_t, 16> group_;  // coincident crossings: indices in found_
     std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
     unsigned stamp_ = 0;
-    double bound_ = 0.0;  // no true crossing of this traversal can lie behind it
-    bool bound_is_sure_ = true;
+    double bound_ = 0.0;  // this traversal looks no farther
 };
 
 }  // namespace meniscus::tracer

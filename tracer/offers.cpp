@@ -19,14 +19,34 @@ double Offers::cosine(const TracedRay& ray, const Part& part, geom::Face face, d
     return std::abs(glm::dot(ray.ray.direction, part.shape.normal(face, ray.ray.at(t))));
 }
 
-/// A crossing is forced where list and position disagree by more than rounding; `disagreement` is a
-/// distance along the normal.
-void Offers::count_forced(const TracedRay& ray, const Part& part, double disagreement) {
-    const double magnitude =
-        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
-    if (disagreement > 2.0 * tolerance(scene_, magnitude)) {
-        statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
+double Offers::start_magnitude(const TracedRay& ray, const Part& part) const {
+    return std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+}
+
+/// Whether list and position may differ by `distance`, along a normal, where the ray starts.
+bool Offers::is_rounding(const TracedRay& ray, const Part& part, double distance) const {
+    return distance <= 2.0 * tolerance(scene_, start_magnitude(ray, part));
+}
+
+/// Whether the ray starts within rounding of the part's surface: points around its origin are both
+/// as deep inside the shape as the one and as the other.
+bool Offers::is_at_surface(const TracedRay& ray, const Part& part, int depth, int other) const {
+    const double rounding = 2.0 * tolerance(scene_, start_magnitude(ray, part));
+    bool has_depth = false, has_other = false;
+    for (int i = 0; i < 27; ++i) {
+        const geom::Vec3 step{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+        const int there = part.shape.depth_at(ray.ray.origin + rounding * step);
+        has_depth = has_depth || there == depth;
+        has_other = has_other || there == other;
     }
+    return has_depth && has_other;
+}
+
+/// A crossing is forced where list and position disagree by more than rounding; `disagreement` is a
+/// distance along the normal, which near an edge may be a neighbour's.
+void Offers::count_forced(const TracedRay& ray, const Part& part, double disagreement) {
+    if (is_rounding(ray, part, disagreement) || is_at_surface(ray, part, 0, 1)) return;
+    statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
 }
 
 void Offers::collect(const TracedRay& ray, int index, double t_max, std::vector<Offer>& out) {
@@ -75,8 +95,18 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
         chord * cosine(ray, part, interval.face1, interval.t1) <= tolerance(scene_, magnitude)) {
         return;
     }
-    if (interval.t0 < 0.0 && !contact) {
-        count_forced(ray, part, -interval.t0 * cosine(ray, part, interval.face0, interval.t0));
+    if (interval.t0 < 0.0) {
+        if (contact) return;  // the line runs within the face that the ray starts on
+        // The list is right if the ray is about to enter, or if it has left already: whichever is
+        // nearer.
+        const double behind = interval.t0 == -geom::infinity
+                                  ? geom::infinity
+                                  : -interval.t0 * cosine(ray, part, interval.face0, interval.t0);
+        const double ahead = interval.t1 == geom::infinity
+                                 ? geom::infinity
+                                 : interval.t1 * cosine(ray, part, interval.face1, interval.t1);
+        if (ahead < behind && is_rounding(ray, part, ahead)) return;
+        count_forced(ray, part, behind);
     }
     out.push_back({start, index, interval.face0, !part.inverse});
     if (interval.t1 <= t_max && interval.t1 != geom::infinity) {
@@ -89,8 +119,7 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
     crossings_.clear();
     part.shape.crossings(ray.ray, crossings_);
 
-    const double magnitude =
-        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    const double magnitude = start_magnitude(ray, part);
     const bool knows_side = part.is_member || contact != nullptr;
     const auto depth_of_ray = [&](int depth_beyond) {
         if (part.is_member) {
@@ -107,6 +136,7 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
     // zone is tried before the ray and its place are said to disagree.
     std::size_t zone_begin = 0, zone_end = 0, first = 0;
     int depth_beyond = 0, depth = 0, tail_depth = 0;
+    bool zone_is_empty = true;
     for (const double widening : {1.0, 64.0, 4096.0}) {
         const double zone_width = widening * tolerance(scene_, magnitude);
         const auto in_zone = [&](const geom::Crossing& crossing) {
@@ -122,6 +152,7 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
         zone_begin = zone_end;
         while (zone_begin > 0 && in_zone(crossings_[zone_begin - 1])) --zone_begin;
 
+        if (widening == 1.0) zone_is_empty = zone_begin == zone_end;
         depth_beyond = 0;  // how deep the line is inside just behind the zone
         for (std::size_t i = zone_end; i < crossings_.size(); ++i)
             depth_beyond += crossings_[i].entering ? -1 : 1;
@@ -136,8 +167,11 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
         if (tail_depth == depth) break;
     }
     if (tail_depth != depth && knows_side) {
-        // No tail fits: cross here as often as is missing.
-        if (part.is_member) {
+        // No tail fits: cross here as often as is missing. That is no leak where the line passes by
+        // an edge that the ray starts on.
+        const bool passes_by = zone_is_empty && std::abs(depth_beyond - depth) == 1 &&
+                               is_at_surface(ray, part, depth, depth_beyond);
+        if (part.is_member && !passes_by) {
             statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
         }
         const geom::Face face = contact                 ? contact->face
@@ -163,8 +197,7 @@ void Offers::collect_open(const TracedRay& ray, const Part& part, int index, con
                           double t_max, std::vector<Offer>& out) {
     crossings_.clear();
     part.shape.hits(ray.ray, crossings_);
-    const double magnitude =
-        std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    const double magnitude = start_magnitude(ray, part);
     for (const geom::Crossing& crossing : crossings_) {
         if (!(crossing.t > 0.0)) continue;
         if (crossing.t > t_max) break;

@@ -53,6 +53,9 @@ private:
     void collect_open(const TracedRay& ray, const Part& part, int index, const Contact* contact,
                       double t_max, std::vector<Offer>& out);
     double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
+    double start_magnitude(const TracedRay& ray, const Part& part) const;
+    bool is_rounding(const TracedRay& ray, const Part& part, double distance) const;
+    bool is_at_surface(const TracedRay& ray, const Part& part, int depth, int other) const;
     void count_forced(const TracedRay& ray, const Part& part, double disagreement);
 
     const RenderScene& scene_;

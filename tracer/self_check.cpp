@@ -38,17 +38,14 @@ void EventFinder::check_segment(const TracedRay& ray, double t) {
     });
 }
 
-/// Compares the solid at `at`, by position alone, with the list; within rounding of a surface
-/// either answer is right.
-void EventFinder::check_medium(const TracedRay& ray, double t, double at) {
-    const geom::Vec3 p = ray.ray.at(at);
-    const int listed = ray.interior.top_solid(scene_);
+/// The solid at a point, by position alone; nothing where solids tie.
+std::optional<int> EventFinder::solid_at(const geom::Vec3& p, RayKind kind) const {
     double best_priority = -geom::infinity;
     bool tie = false;
     int there = outside;
     const auto ask = [&](int index) {
         const Part& part = scene_.parts[index];
-        if (!part.is_member || !is_visible(part, ray.kind)) return;
+        if (!part.is_member || !is_visible(part, kind)) return;
         if (part.shape.contains(p) == part.inverse) return;
         if (part.priority > best_priority) {
             best_priority = part.priority;
@@ -61,13 +58,52 @@ void EventFinder::check_medium(const TracedRay& ray, double t, double at) {
     for (const int part : scene_.unbounded) ask(part);
     scene_.bvh.overlapping({p, p},
                            [&](std::uint32_t primitive) { ask(scene_.bvh_parts[primitive]); });
-    if (tie || there == listed) return;
+    if (tie) return std::nullopt;
+    return there;
+}
+
+/// Whether that solid may be the one at p, if each surface within rounding of p may be on either
+/// side of it.
+bool EventFinder::may_be_at(const geom::Vec3& p, double rounding, int solid, RayKind kind) const {
+    bool is_possible = solid == outside;
+    double priority = -geom::infinity, certain = -geom::infinity;
+    const auto ask = [&](int index) {
+        const Part& part = scene_.parts[index];
+        if (!part.is_member || !is_visible(part, kind)) return;
+        int inside = 0;
+        for (int i = 0; i < 27; ++i) {
+            const geom::Vec3 step{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+            inside += part.shape.contains(p + rounding * step) != part.inverse;
+        }
+        if (part.solid == solid) {
+            is_possible = is_possible || inside > 0;
+            priority = part.priority;
+        } else if (inside == 27) {
+            certain = std::max(certain, part.priority);
+        }
+    };
+    for (const int part : scene_.unbounded) ask(part);
+    scene_.bvh.overlapping(geom::Bounds{p, p}.padded(2.0 * rounding),
+                           [&](std::uint32_t primitive) { ask(scene_.bvh_parts[primitive]); });
+    return is_possible && certain <= priority;
+}
+
+/// Compares the solid at `at`, by position alone, with the list; within rounding of a surface
+/// either answer is right.
+void EventFinder::check_medium(const TracedRay& ray, double t, double at) {
+    const geom::Vec3 p = ray.ray.at(at);
+    const int listed = ray.interior.top_solid(scene_);
+    const auto asked = solid_at(p, ray.kind);
+    if (!asked || *asked == listed) return;
+    const int there = *asked;
     for (const Offer& offer : found_) {
         const double distance = std::abs(offer.t - at);
         if (distance <= 1e-6 * offers_.magnitude(ray, offer.part, offer.t)) return;
     }
     const double scale = geom::max_abs(ray.ray.origin) + at;
     if (at <= 1e-6 * scale || t - at <= 1e-6 * scale) return;
+    // A ray that runs within a surface.
+    if (may_be_at(p, 4.0 * tolerance(scene_, scale + scene_.size), listed, ray.kind)) return;
     const int blamed = there != outside ? there : listed;
     std::size_t object = 0;
     for (const Part& part : scene_.parts) {
@@ -86,8 +122,7 @@ std::optional<Event> EventFinder::recover(TracedRay& ray, double t_max) {
         if (!scene_.parts[contact.part].is_member) surfaces.push_back(contact);
     }
     ray.contacts = surfaces;
-    collect(ray, ray.interior.top(scene_), t_max, false);
-    const std::optional<Event> event = walk(ray);
+    const std::optional<Event> event = find_event(ray, t_max);
     statistics_.leaks = counted.leaks;
     statistics_.first_leaks = counted.first_leaks;
     statistics_.leaks_by_object = counted.leaks_by_object;

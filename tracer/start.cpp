@@ -27,9 +27,11 @@ TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
         // Asked along the ray, so that an origin on a surface is where the ray goes.
         const double magnitude = geom::max_abs(ray.origin) + part.shape.magnitude();
         const auto is_ahead = [&](double t, geom::Face face) {
-            return t > 0.0 &&
-                   t * std::abs(glm::dot(ray.direction, part.shape.normal(face, ray.at(t)))) >
-                       tolerance(scene_, magnitude);
+            if (!(t > 0.0)) return false;
+            // Farther away, a small distance along the normal means a ray that grazes there.
+            if (t > 1e-3 * magnitude) return true;
+            return t * std::abs(glm::dot(ray.direction, part.shape.normal(face, ray.at(t)))) >
+                   tolerance(scene_, magnitude);
         };
         int shape_depth = 0;
         double entered_at = -geom::infinity;
