@@ -34,6 +34,47 @@ bool jumps_over(const Tracer<Real>& oracle, int x, int y, const Picture& picture
     return false;
 }
 
+/// The largest channel's difference of `seen`, which was rounded to float, from the truth.
+double difference_of(const scene::Rgb& truth, const scene::Rgb& seen) {
+    double difference = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        const double channel = std::abs(seen[c] - double(float(truth[c])));
+        if (!(channel <= difference)) difference = channel;  // NaN too
+    }
+    return difference;
+}
+
+/// `true_pixel(x, y, seen)` is the exact light.
+template <class Real, class TruePixel>
+Difference compare_pixels(const tracer::Rendered& ours, const Picture& picture,
+                          TruePixel true_pixel, const Tracer<Real>& oracle) {
+    Difference result;
+    result.leaks = ours.statistics.leaks;
+    std::vector<double> differences;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const float* rgb = ours.picture.pixel(x, y);
+            const scene::Rgb seen{rgb[0], rgb[1], rgb[2]}, truth = true_pixel(x, y, seen);
+            const double difference = difference_of(truth, seen);
+            differences.push_back(difference);
+            if (!(difference <= 1e-6)) ++result.off;
+            if (!(difference <= 2e-3)) ++result.far_off;
+            if (!(difference <= 1e-3) && !jumps_over(oracle, x, y, picture, truth, seen))
+                ++result.unexplained;
+            if (!(difference <= result.largest)) {
+                result.largest = difference;
+                result.worst_x = x;
+                result.worst_y = y;
+            }
+        }
+    }
+    result.pixels = differences.size();
+    std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(result.pixels / 2),
+                     differences.end());
+    result.median = differences[result.pixels / 2];
+    return result;
+}
+
 }  // namespace
 
 tracer::Options options_for(const Picture& picture, int threads) {
@@ -70,36 +111,31 @@ template <class Real>
 Difference compare(const tracer::Rendered& ours, const scene::Scene& scene,
                    const Picture& picture) {
     const Tracer<Real> oracle(scene, picture.limits);
-    Difference result;
-    result.leaks = ours.statistics.leaks;
-    std::vector<double> differences;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const scene::Rgb truth = oracle.pixel(x, y, picture.width, picture.height);
-            const float* seen = ours.picture.pixel(x, y);
-            double difference = 0.0;
-            for (int c = 0; c < 3; ++c) {
-                const double channel = std::abs(double(seen[c]) - double(float(truth[c])));
-                if (!(channel <= difference)) difference = channel;  // NaN too
-            }
-            differences.push_back(difference);
-            if (!(difference <= 1e-6)) ++result.off;
-            if (!(difference <= 2e-3)) ++result.far_off;
-            if (!(difference <= 1e-3) &&
-                !jumps_over(oracle, x, y, picture, truth, {seen[0], seen[1], seen[2]}))
-                ++result.unexplained;
-            if (!(difference <= result.largest)) {
-                result.largest = difference;
-                result.worst_x = x;
-                result.worst_y = y;
-            }
-        }
-    }
-    result.pixels = differences.size();
-    std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(result.pixels / 2),
-                     differences.end());
-    result.median = differences[result.pixels / 2];
-    return result;
+    return compare_pixels(
+        ours, picture,
+        [&](int x, int y, const scene::Rgb&) {
+            return oracle.pixel(x, y, picture.width, picture.height);
+        },
+        oracle);
+}
+
+Difference compare_closely(const scene::Scene& scene, const Picture& picture) {
+    return compare_closely(rendered(scene, picture), scene, picture);
+}
+
+Difference compare_closely(const tracer::Rendered& ours, const scene::Scene& scene,
+                           const Picture& picture) {
+    const Tracer<Extended> extended(scene, picture.limits);
+    const Tracer<Quad> quad(scene, picture.limits);
+    return compare_pixels(
+        ours, picture,
+        [&](int x, int y, const scene::Rgb& seen) {
+            const scene::Rgb truth = extended.pixel(x, y, picture.width, picture.height);
+            return difference_of(truth, seen) <= 1e-9
+                       ? truth
+                       : quad.pixel(x, y, picture.width, picture.height);
+        },
+        quad);
 }
 
 template Difference compare<double>(const scene::Scene&, const Picture&);

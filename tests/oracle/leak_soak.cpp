@@ -24,28 +24,6 @@ namespace {
 /// Stands for an offset of 32 units in the last place of the scene's coordinates.
 constexpr double ulps = 0.0;
 
-/// Every seed has a kind of scene of its own.
-oracle::RandomSceneOptions options_of(std::uint64_t seed) {
-    oracle::RandomSceneOptions options;
-    options.fewest_solids = 2;
-    options.most_solids = 12;
-    options.rotated = seed % 2 == 1;
-    options.stretched = seed % 3 == 1;
-    options.sheared = seed % 5 == 1;
-    options.cones = options.tori = options.lathes = options.meshes = true;
-    options.unions = seed % 3 == 2;
-    options.complements = seed % 7 == 1;
-    options.scattered = seed % 4 == 2;
-    options.textured = seed % 4 == 3;
-    options.opaque_members = seed % 5 == 3;
-    if (seed % 11 == 3) options.scale = 1e-6;
-    if (seed % 11 == 7) options.scale = 1e6;
-    if (seed % 13 == 5) options.offset = {1000.3, 777.7, -1234.1};
-    // Not both at once: solids of 1e-6 at 1e6 are just 200 contact tolerances wide.
-    if (seed % 13 == 9 && options.scale >= 1.0) options.offset = {1000000.3, 700007.7, -1234567.1};
-    return options;
-}
-
 struct Count {
     std::uint64_t scenes = 0, segments = 0, leaks = 0;
     std::map<std::string, std::uint64_t> by_kind;
@@ -114,7 +92,7 @@ int main(int argc, char** argv) {
     Table table{.first = first, .next = first};
     while (double(table.all.segments) < wanted) {
         const std::uint64_t seed = table.next++;
-        const auto options = options_of(seed);
+        const auto options = oracle::every_kind(seed);
         const auto source = oracle::random_scene(seed, options);
         const auto scene = tracer::compile(source);
         ours.check_segments = seed % 17 == 0;

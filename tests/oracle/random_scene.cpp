@@ -44,6 +44,27 @@ geom::Shape random_half_space(Random& random) {
 
 }  // namespace
 
+RandomSceneOptions every_kind(std::uint64_t seed) {
+    RandomSceneOptions options;
+    options.fewest_solids = 2;
+    options.most_solids = 12;
+    options.rotated = seed % 2 == 1;
+    options.stretched = seed % 3 == 1;
+    options.sheared = seed % 5 == 1;
+    options.scattered = seed % 4 == 2;
+    options.cones = options.tori = options.lathes = options.meshes = true;
+    options.unions = seed % 3 == 2;
+    options.complements = seed % 7 == 1;
+    options.textured = seed % 4 == 3;
+    options.opaque_members = seed % 5 == 3;
+    if (seed % 11 == 3) options.scale = 1e-6;
+    if (seed % 11 == 7) options.scale = 1e6;
+    if (seed % 13 == 5) options.offset = {1000.3, 777.7, -1234.1};
+    // Not both at once: solids of 1e-6 at 1e6 are just 200 contact tolerances wide.
+    if (seed % 13 == 9 && options.scale >= 1.0) options.offset = {1000000.3, 700007.7, -1234567.1};
+    return options;
+}
+
 scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options) {
     Random random(seed);
     SceneBuilder builder;

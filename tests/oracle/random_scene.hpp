@@ -28,6 +28,9 @@ struct RandomSceneOptions {
     geom::Vec3 offset{0.0};       // of the whole scene, after scaling
 };
 
+/// Every shape and every kind of scene in turn, with 2 to 12 solids: what a long run draws from.
+RandomSceneOptions every_kind(std::uint64_t seed);
+
 /// The same scene for the same seed, on every machine. No two solids have the same priority.
 scene::Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
