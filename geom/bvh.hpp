@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "geom/bounds.hpp"
+#include "geom/bvh_builder.hpp"
+#include "geom/bvh_line.hpp"
 #include "geom/lanes.hpp"
-#include "geom/ray.hpp"
 
 namespace meniscus::geom {
 
@@ -20,19 +19,13 @@ namespace meniscus::geom {
 class Bvh {
 public:
     Bvh() = default;
-    explicit Bvh(std::span<const Bounds> boxes, int leaf_size = 4);
+    explicit Bvh(std::span<const Bounds> boxes, std::uint32_t leaf_size = 1);
 
     bool empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
     std::size_t memory_bytes() const {
-        return nodes_.size() * sizeof(Node) + order_.size() * sizeof(order_[0]);
+        return nodes_.size() * sizeof(BvhNode) + order_.size() * sizeof(order_[0]);
     }
-
-    /// The indices of all boxes as the leaves hold them: neighbours in space are neighbours here.
-    const std::vector<std::uint32_t>& order() const { return order_; }
-    /// From now on box i is the i-th of `order()`: for an owner who has put its own things into
-    /// that order.
-    void renumber();
 
     /// Visits boxes that meet the ray's line at t in [0, t_max], the nearer parts of space first.
     /// The visitor, called as visit(index), may lower the `t_max` it was given by reference: what
@@ -52,97 +45,66 @@ public:
     void overlapping(const Bounds& region, Visit&& visit) const;
 
 private:
-    /// The boxes of up to four children, seen from `center_`, rounded outwards. Those of children
-    /// that are not there are empty.
-    struct alignas(16) Node {
-        std::array<std::array<float, 4>, 3> low, high;  // [axis][child]
-        std::array<std::uint32_t, 4> first;             // item of a leaf in `order_`, or a node
-        std::array<std::uint16_t, 4> count;             // of a leaf's items; 0 for a node
-    };
-    struct Entry {
-        std::uint32_t first, count;
-        float near;
-    };
-    class Line;
-    struct Builder;
-
-    /// Deeper trees are not built.
-    static constexpr int max_depth = 64;
-    using Stack = std::array<Entry, 3 * max_depth + 4>;
-
     template <class Visit>
     void walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const;
+    template <class Visit>
+    void visit_leaf(std::uint32_t child, Visit& visit) const {
+        const std::size_t first = std::size_t{child ^ BvhNode::leaf} * leaf_size_;
+        const std::size_t last = first + leaf_size_;
+        for (std::size_t i = first; i < last && i < order_.size(); ++i) visit(order_[i]);
+    }
 
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> order_;
+    HugeVector<BvhNode> nodes_;
+    std::vector<std::uint32_t> order_;  // of the boxes, leaf by leaf
+    std::uint32_t leaf_size_ = 1;
     Bounds bounds_;
     Vec3 center_{0.0};
 };
 
-/// A ray made ready for boxes. Its parameter starts at the point of its line nearest to the boxes'
-/// centre, so that single precision does, from any distance; and its line is thick enough to cover
-/// every rounding error, here and of what is in the boxes.
-class Bvh::Line {
-public:
-    Line(const Bvh& bvh, const Ray& ray);
-
-    /// A little more than t, as a parameter of this line.
-    float upper(double t) const {
-        const auto value = static_cast<float>(t - shift_);
-        return value + (value < 0.0f ? -value : value) * 0x1p-21f + slack_;
-    }
-    float lower(double t) const {
-        const auto value = static_cast<float>(t - shift_);
-        return value - (value < 0.0f ? -value : value) * 0x1p-21f - slack_;
-    }
-
-    /// Which children the line meets between `from` and `to`: bit i for child i, and where it
-    /// enters them.
-    unsigned meets(const Node& node, float from, float to, float* near) const {
+/// Which children the line meets between `from` and `to`: bit i for child i, and where it enters
+/// them.
+inline unsigned meets(const BvhLine& line, const BvhNode& node, float from, float to, float* near) {
+    unsigned met = 0;
+    for (int half = 0; half < BvhNode::width; half += 4) {
         Lanes enter = Lanes::all(from), leave = Lanes::all(to);
         for (int axis = 0; axis < 3; ++axis) {
-            // For a line that runs down an axis, the high side comes first.
-            const auto& first = backwards_[axis] ? node.high[axis] : node.low[axis];
-            const auto& last = backwards_[axis] ? node.low[axis] : node.high[axis];
-            const Lanes inverse = Lanes::all(inverse_[axis]);
-            enter =
-                max((Lanes::load(first.data()) - Lanes::all(near_side_[axis])) * inverse, enter);
-            leave = min((Lanes::load(last.data()) - Lanes::all(far_side_[axis])) * inverse, leave);
+            const auto& sides = node.sides[axis];
+            const float* first = sides[line.backwards[axis]].data() + half;
+            const float* last = sides[!line.backwards[axis]].data() + half;
+            const Lanes inverse = Lanes::all(line.inverse[axis]);
+            enter = max((Lanes::load(first) - Lanes::all(line.near_side[axis])) * inverse, enter);
+            leave = min((Lanes::load(last) - Lanes::all(line.far_side[axis])) * inverse, leave);
         }
-        enter.store(near);
-        return at_most(enter, leave);
+        enter.store(near + half);
+        met |= at_most(enter, leave) << half;
     }
-
-private:
-    double shift_;
-    float slack_;
-    std::array<float, 3> near_side_, far_side_, inverse_;
-    std::array<bool, 3> backwards_;
-};
+    return met;
+}
 
 template <class Visit>
 void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const {
     if (empty()) return;
-    const Line line(*this, ray);
+    const BvhLine line(bounds_, center_, ray);
     const float from = line.lower(t_min);
     double known_max = t_max;
     float to = line.upper(t_max);
-    Stack stack;
+    BvhStack stack;
     int size = 0;
-    stack[size++] = {0, 0, from};
+    stack[size++] = {0, from};
     while (size > 0) {
-        const Entry entry = stack[--size];
+        const BvhEntry entry = stack[--size];
         if (t_max != known_max) {
             known_max = t_max;
             to = line.upper(t_max);
         }
         if (entry.near > to) continue;
-        for (std::uint32_t i = 0; i < entry.count; ++i) visit(order_[entry.first + i]);
-        if (entry.count > 0) continue;
-
-        const Node& node = nodes_[entry.first];
-        alignas(16) std::array<float, 4> near;
-        unsigned met = line.meets(node, from, to, near.data());
+        if (entry.child & BvhNode::leaf) {
+            visit_leaf(entry.child, visit);
+            continue;
+        }
+        const BvhNode& node = nodes_[entry.child];
+        alignas(16) std::array<float, BvhNode::width> near;
+        unsigned met = meets(line, node, from, to, near.data());
         // The nearest child goes on top of the stack.
         for (const int bottom = size; met != 0; met &= met - 1) {
             const int child = std::countr_zero(met);
@@ -150,7 +112,9 @@ void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) 
             for (; place > bottom && stack[place - 1].near < near[child]; --place) {
                 stack[place] = stack[place - 1];
             }
-            stack[place] = {node.first[child], node.count[child], near[child]};
+            stack[place] = {node.child[child], near[child]};
+            // What waits in memory is here when its turn comes.
+            if (!(node.child[child] & BvhNode::leaf)) fetch_ahead(nodes_[node.child[child]]);
         }
     }
 }
@@ -159,21 +123,23 @@ template <class Visit>
 void Bvh::overlapping(const Bounds& region, Visit&& visit) const {
     if (empty() || !overlap(region, bounds_)) return;
     const Bounds seen{region.low - center_, region.high - center_};
-    Stack stack;
+    BvhStack stack;
     int size = 0;
-    stack[size++] = {0, 0, 0.0f};
+    stack[size++] = {0, 0.0f};
     while (size > 0) {
-        const Entry entry = stack[--size];
-        for (std::uint32_t i = 0; i < entry.count; ++i) visit(order_[entry.first + i]);
-        if (entry.count > 0) continue;
-        const Node& node = nodes_[entry.first];
-        for (int child = 0; child < 4; ++child) {
+        const BvhEntry entry = stack[--size];
+        if (entry.child & BvhNode::leaf) {
+            visit_leaf(entry.child, visit);
+            continue;
+        }
+        const BvhNode& node = nodes_[entry.child];
+        for (int child = 0; child < BvhNode::width; ++child) {
             bool apart = false;
             for (int axis = 0; axis < 3; ++axis) {
-                apart |= !(node.low[axis][child] <= seen.high[axis] &&
-                           node.high[axis][child] >= seen.low[axis]);
+                apart |= !(node.sides[axis][0][child] <= seen.high[axis] &&
+                           node.sides[axis][1][child] >= seen.low[axis]);
             }
-            if (!apart) stack[size++] = {node.first[child], node.count[child], 0.0f};
+            if (!apart) stack[size++] = {node.child[child], 0.0f};
         }
     }
 }

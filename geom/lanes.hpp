@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #if defined(__SSE2__)
@@ -18,6 +19,7 @@ struct Lanes {
     static Lanes load(const float* x) { return {_mm_load_ps(x)}; }
     void store(float* x) const { _mm_store_ps(x, v); }
 
+    friend Lanes operator+(Lanes a, Lanes b) { return {_mm_add_ps(a.v, b.v)}; }
     friend Lanes operator-(Lanes a, Lanes b) { return {_mm_sub_ps(a.v, b.v)}; }
     friend Lanes operator*(Lanes a, Lanes b) { return {_mm_mul_ps(a.v, b.v)}; }
     friend Lanes min(Lanes a, Lanes b) { return {_mm_min_ps(a.v, b.v)}; }
@@ -42,6 +44,9 @@ struct Lanes {
         for (int i = 0; i < 4; ++i) a.v[i] = operation(a.v[i], b.v[i]);
         return a;
     }
+    friend Lanes operator+(Lanes a, Lanes b) {
+        return each(a, b, [](float x, float y) { return x + y; });
+    }
     friend Lanes operator-(Lanes a, Lanes b) {
         return each(a, b, [](float x, float y) { return x - y; });
     }
@@ -61,5 +66,12 @@ struct Lanes {
     }
 };
 #endif
+
+/// Asks memory for something that will be read soon.
+template <class T>
+inline void fetch_ahead(const T& what) {
+    const char* const begin = reinterpret_cast<const char*>(&what);
+    for (std::size_t i = 0; i < sizeof what; i += 64) __builtin_prefetch(begin + i);
+}
 
 }  // namespace meniscus::geom

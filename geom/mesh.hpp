@@ -21,6 +21,16 @@ struct Mesh {
     double magnitude() const { return triangles->magnitude(); }
 
     void crossings(const Ray& ray, Crossings& out) const { triangles->crossings(ray, out); }
+    void crossings(const Ray& ray, const Search& search, Crossings& out) const {
+        triangles->crossings(ray, search, out);
+    }
+    bool crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
+                         Crossings& out) const {
+        return triangles->crossings_ahead(ray, search, depth, out);
+    }
+    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const {
+        return triangles->crossing_of(face, ray);
+    }
     void hits(const Ray& ray, Crossings& out) const { triangles->crossings(ray, out); }
     bool contains(const Vec3& p) const { return triangles->depth_at(p) > 0; }
     int depth_at(const Vec3& p) const { return triangles->depth_at(p); }

@@ -1,5 +1,7 @@
 #include "geom/mesh_edges.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -7,17 +9,26 @@
 
 namespace meniscus::geom {
 
-std::vector<EdgeUse> edge_uses(std::span<const TriangleIndices> triangles) {
-    std::vector<EdgeUse> uses;
-    uses.reserve(3 * triangles.size());
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
-            uses.push_back({std::min(from, to), std::max(from, to), i, from < to});
+std::vector<EdgeUse> edge_uses(std::span<const TriangleIndices> triangles, std::size_t vertices) {
+    // Counted into place by their lower vertex; the few at each are then sorted by the other one.
+    const auto for_each_side = [&](auto&& visit) {
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t from = triangles[i][k], to = triangles[i][(k + 1) % 3];
+                visit(EdgeUse{std::min(from, to), std::max(from, to), i, from < to});
+            }
         }
-    }
-    std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    };
+    std::vector<std::uint32_t> end(vertices + 1, 0);
+    for_each_side([&](const EdgeUse& use) { ++end[use.low + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<EdgeUse> uses(3 * triangles.size());
+    for_each_side([&](const EdgeUse& use) { uses[end[use.low]++] = use; });
+    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t vertex) {
+        const auto begin = uses.begin() + (vertex == 0 ? 0 : end[vertex - 1]);
+        std::sort(begin, uses.begin() + end[vertex], [](const EdgeUse& a, const EdgeUse& b) {
+            return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+        });
     });
     return uses;
 }

@@ -15,8 +15,8 @@ struct EdgeUse {
     bool forward;  // the triangle goes round from low to high
 };
 
-/// All sides of all triangles, those of one edge next to each other.
-std::vector<EdgeUse> edge_uses(std::span<const TriangleIndices> triangles);
+/// All sides of all triangles of so many vertices, those of one edge next to each other.
+std::vector<EdgeUse> edge_uses(std::span<const TriangleIndices> triangles, std::size_t vertices);
 
 /// Calls visit(span of EdgeUse) once for each edge.
 template <class Visit>

@@ -133,6 +133,19 @@ void PlacedShape::hits(const Ray& ray, Crossings& out) const {
     geom::hits(shape_, transform_.to_local(ray), out);
 }
 
+void PlacedShape::crossings(const Ray& ray, const Search& search, Crossings& out) const {
+    geom::crossings(shape_, transform_.to_local(ray), search, out);
+}
+
+bool PlacedShape::crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
+                                  Crossings& out) const {
+    return geom::crossings_ahead(shape_, transform_.to_local(ray), search, depth, out);
+}
+
+std::optional<Crossing> PlacedShape::crossing_of(Face face, const Ray& ray) const {
+    return geom::crossing_of(shape_, face, transform_.to_local(ray));
+}
+
 Vec3 PlacedShape::normal(Face face, const Vec3& p) const {
     if (transform_.is_identity()) return geom::normal(shape_, face, p);
     return glm::normalize(transform_.normal(geom::normal(shape_, face, transform_.to_local(p))));

@@ -27,6 +27,10 @@ public:
     Interval interval(const Ray& ray, Face pin) const;
     void crossings(const Ray& ray, Crossings& out) const;
     void hits(const Ray& ray, Crossings& out) const;
+    void crossings(const Ray& ray, const Search& search, Crossings& out) const;
+    bool crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
+                         Crossings& out) const;
+    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const;
     Vec3 normal(Face face, const Vec3& p) const;
     Vec3 shading_normal(Face face, const Vec3& p) const;
     /// As the shape's: the way from `point`'s exact origin to the face.

@@ -62,6 +62,22 @@ void hits(const Shape& shape, const Ray& ray, Crossings& out) {
         shape);
 }
 
+void crossings(const Shape& shape, const Ray& ray, const Search& search, Crossings& out) {
+    if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->crossings(ray, search, out);
+    is_closed(shape) ? crossings(shape, ray, out) : hits(shape, ray, out);
+}
+
+bool crossings_ahead(const Shape& shape, const Ray& ray, const Search& search,
+                     std::optional<int> depth, Crossings& out) {
+    const auto* mesh = std::get_if<Mesh>(&shape);
+    return mesh && mesh->crossings_ahead(ray, search, depth, out);
+}
+
+std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ray) {
+    const auto* mesh = std::get_if<Mesh>(&shape);
+    return mesh ? mesh->crossing_of(face, ray) : std::nullopt;
+}
+
 Vec3 normal(const Shape& shape, Face face, const Vec3& p) {
     return std::visit([&](const auto& s) { return s.normal(face, p); }, shape);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "geom/bounds.hpp"
@@ -49,6 +50,15 @@ void crossings(const Shape& shape, const Ray& ray, Crossings& out);
 /// For open shapes: every meeting on the ray's whole line, sorted; `entering` is set where
 /// direction and normal oppose.
 void hits(const Shape& shape, const Ray& ray, Crossings& out);
+
+/// At least those crossings, or hits of an open shape, that a search wants, sorted. A large mesh
+/// has them sooner than those of the whole line.
+void crossings(const Shape& shape, const Ray& ray, const Search& search, Crossings& out);
+/// For closed shapes: as TriangleMesh::crossings_ahead. False for every shape but a mesh.
+bool crossings_ahead(const Shape& shape, const Ray& ray, const Search& search,
+                     std::optional<int> depth, Crossings& out);
+/// Where the whole line crosses one face of a mesh, if it does. Nothing for other shapes.
+std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ray);
 
 /// The outward unit normal of a face at a point of it.
 Vec3 normal(const Shape& shape, Face face, const Vec3& p);

@@ -3,16 +3,17 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geom/bounds.hpp"
-#include "geom/bvh.hpp"
+#include "geom/bvh_node.hpp"
 #include "geom/crossing.hpp"
+#include "geom/mesh_search.hpp"
 #include "geom/ray.hpp"
+#include "geom/triangle_blocks.hpp"
 
 namespace meniscus::geom {
-
-using TriangleIndices = std::array<std::uint32_t, 3>;
 
 /// Triangles as a file or a scene gives them. Equal positions need not share an index: they are
 /// welded.
@@ -45,6 +46,8 @@ struct MeshStats {
     double volume = 0.0;
 };
 
+struct WeldedTriangles;
+
 /// Triangles with a hierarchy over them, ready for rays; never changes. If every edge is used
 /// equally often in both directions the mesh is closed, and every line then crosses it inwards as
 /// often as outwards: the test is exact (see watertight.hpp).
@@ -67,33 +70,40 @@ public:
     double magnitude() const { return magnitude_; }
     std::size_t memory_bytes() const;
 
-    std::size_t size() const { return triangles_.size(); }
-    std::array<Vec3, 3> corners(Face face) const;
+    std::size_t size() const { return blocks_.size(); }
+    std::array<Vec3, 3> corners(Face face) const { return blocks_.corners(face); }
 
     /// Every crossing on the ray's whole line, sorted by t.
     void crossings(const Ray& ray, Crossings& out) const;
+    /// The crossings that a search wants, sorted by t.
+    void crossings(const Ray& ray, const Search& search, Crossings& out) const;
+    /// Of a closed mesh, the crossings with t > 0 that a search wants, but for its `own`, sorted by
+    /// t. Returns false where they contradict the depth from which the ray starts (if that is
+    /// known), or where rounding may have put them out of turn: then only the whole line tells.
+    bool crossings_ahead(const Ray& ray, Search search, std::optional<int> depth,
+                         Crossings& out) const;
+    /// Where the whole line crosses one face, if it does.
+    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const;
     int depth_at(const Vec3& p) const;
     Vec3 normal(Face face) const;
     Vec3 shading_normal(Face face, const Vec3& p) const;
     Vec3 to_face(Face face, const Ray& point) const;
 
 private:
-    void weld(TriangleSoup& soup);
-    void build_hierarchy();
-    void orient();
-    void orient_by_nesting(const std::vector<std::uint32_t>& part_of, std::size_t parts);
-    void turn_shells_outward(const std::vector<std::uint32_t>& part_of, std::size_t parts);
-    void flip(std::size_t triangle);
-    double volume_under(std::size_t triangle) const;
-    template <class Visit>
-    void visit_hits(const Ray& ray, Visit&& visit) const;
+    // What is needed only until the mesh is built: see mesh_orientation.cpp.
+    class Orientation;
 
-    std::vector<Vec3> positions_;
-    std::vector<TriangleIndices> triangles_;  // in the order of the hierarchy's leaves
+    void build_hierarchy(WeldedTriangles& welded);
+    bool takes_turns(const Ray& ray, const Crossings& ahead, std::size_t begin, int depth,
+                     double end) const;
+    double turn_tolerance(const Ray& ray, double furthest) const;
+
+    TriangleBlocks blocks_;  // in the order of the hierarchy's leaves
+    HugeVector<BvhNode> nodes_;
     std::vector<Vec3> normals_;
     std::vector<TriangleIndices> corner_normals_;
-    Bvh bvh_;
     Bounds bounds_;
+    Vec3 center_{0.0};
     double magnitude_ = 0.0;
     MeshStats stats_;
 };

@@ -42,21 +42,20 @@ void EventFinder::offer(const TracedRay& ray, int index, int top, Bound by) {
     const Part& part = scene_.parts[index];
     if (!is_visible(part, ray.kind)) return;
 
+    Decisive decisive{by != Bound::nothing, by != Bound::nothing};
+    if (by != Bound::nothing && part.is_member && top == outside) {
+        decisive.leaving = false;
+    } else if (by != Bound::nothing && part.is_member) {
+        const Part& top_part = scene_.parts[top];
+        decisive.entering = part.priority >= top_part.priority && part.solid != top_part.solid;
+        decisive.leaving = by == Bound::true_crossings && index == top;
+    }
+
     const std::size_t first = found_.size();
-    offers_.collect(ray, index, bound_, found_);
-    if (by == Bound::nothing) return;
+    offers_.collect(ray, index, bound_, decisive, found_);
     for (std::size_t i = first; i < found_.size(); ++i) {
         const Offer& offer = found_[i];
-        bool is_true = !part.is_member;
-        if (part.is_member && top == outside) {
-            is_true = offer.entering;
-        } else if (part.is_member) {
-            const Part& top_part = scene_.parts[top];
-            is_true = offer.entering
-                          ? part.priority >= top_part.priority && part.solid != top_part.solid
-                          : by == Bound::true_crossings && index == top;
-        }
-        if (!is_true) continue;
+        if (!(offer.entering ? decisive.entering : decisive.leaving)) continue;
         bound_ = std::min(bound_, reach(scene_, offer.t, offers_.magnitude(ray, index, offer.t)));
         break;  // sorted: what follows lies farther away
     }

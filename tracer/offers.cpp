@@ -23,6 +23,30 @@ double Offers::start_magnitude(const TracedRay& ray, const Part& part) const {
     return std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
 }
 
+/// Whether the crossing is within `tolerance` of the origin, along the normal.
+bool Offers::is_at_start(const TracedRay& ray, const Part& part, const geom::Crossing& crossing,
+                         double tolerance) const {
+    const double distance = std::abs(crossing.t);
+    return distance <= tolerance ||
+           (distance <= 1e-3 * start_magnitude(ray, part) &&
+            distance * cosine(ray, part, crossing.face, crossing.t) <= tolerance);
+}
+
+/// What of a part's shape a ray needs: up to `t_max`, and to the reach of the nearest crossing that
+/// ends the segment.
+geom::Search Offers::search(const TracedRay& ray, const Part& part, double t_max,
+                            Decisive decisive) const {
+    geom::Search result;
+    result.from = 0.0;
+    result.to = t_max;
+    result.entering_ends = part.inverse ? decisive.leaving : decisive.entering;
+    result.leaving_ends = part.inverse ? decisive.entering : decisive.leaving;
+    result.slack = std::max(1e-7 * (geom::max_abs(ray.ray.origin) + part.shape.magnitude()),
+                            100.0 * scene_.contact_tolerance);
+    result.slack_per_t = 1e-7;
+    return result;
+}
+
 /// Whether list and position may differ by `distance`, along a normal, where the ray starts.
 bool Offers::is_rounding(const TracedRay& ray, const Part& part, double distance) const {
     return distance <= 2.0 * tolerance(scene_, start_magnitude(ray, part));
@@ -49,14 +73,15 @@ void Offers::count_forced(const TracedRay& ray, const Part& part, double disagre
     statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
 }
 
-void Offers::collect(const TracedRay& ray, int index, double t_max, std::vector<Offer>& out) {
+void Offers::collect(const TracedRay& ray, int index, double t_max, Decisive decisive,
+                     std::vector<Offer>& out) {
     const Part& part = scene_.parts[index];
     const Contact* contact = find(ray.contacts, index);
     if (!part.shape.is_closed()) {
-        collect_open(ray, part, index, contact, t_max, out);
+        collect_open(ray, part, index, contact, t_max, decisive, out);
     } else if (part.shape.is_convex()) {
         collect_convex(ray, part, index, contact, t_max, out);
-    } else {
+    } else if (!collect_ahead(ray, part, index, contact, t_max, decisive, out)) {
         collect_general(ray, part, index, contact, t_max, out);
     }
 }
@@ -114,6 +139,41 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     }
 }
 
+/// The short way for a mesh: only what lies ahead. Its directions of crossing are exact, so where
+/// the first of them fits the depth that the list states, the whole line would count to that depth
+/// too. Where it does not, or where anything but the triangle that the ray was born on lies at the
+/// origin, it returns false, and the whole line must tell.
+bool Offers::collect_ahead(const TracedRay& ray, const Part& part, int index,
+                           const Contact* contact, double t_max, Decisive decisive,
+                           std::vector<Offer>& out) {
+    const double magnitude = start_magnitude(ray, part);
+    const double zone_width = tolerance(scene_, magnitude);
+    geom::Search search = this->search(ray, part, t_max, decisive);
+    std::optional<int> depth;
+    if (contact) {
+        const bool starts_inside = contact->starts_inside != part.inverse;
+        const auto own = part.shape.crossing_of(contact->face, ray.ray);
+        if (!own || own->entering != starts_inside || !is_at_start(ray, part, *own, zone_width))
+            return false;
+        search.own = contact->face;
+        depth = starts_inside ? 1 : 0;
+    }
+    if (part.is_member) {
+        const int listed = ray.interior.depth(index);
+        depth = part.inverse ? 1 - listed : listed;
+        if (*depth < 0) return false;
+    }
+    crossings_.clear();
+    if (!part.shape.crossings_ahead(ray.ray, search, depth, crossings_)) return false;
+    for (const geom::Crossing& crossing : crossings_) {
+        if (crossing.t > 1e-3 * magnitude) break;
+        if (is_at_start(ray, part, crossing, zone_width)) return false;
+    }
+    for (const geom::Crossing& crossing : crossings_)
+        out.push_back({crossing.t, index, crossing.face, crossing.entering != part.inverse});
+    return true;
+}
+
 void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
                              const Contact* contact, double t_max, std::vector<Offer>& out) {
     crossings_.clear();
@@ -140,10 +200,7 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
     for (const double widening : {1.0, 64.0, 4096.0}) {
         const double zone_width = widening * tolerance(scene_, magnitude);
         const auto in_zone = [&](const geom::Crossing& crossing) {
-            const double distance = std::abs(crossing.t);
-            return distance <= zone_width ||
-                   (distance <= 1e-3 * magnitude &&
-                    distance * cosine(ray, part, crossing.face, crossing.t) <= zone_width);
+            return is_at_start(ray, part, crossing, zone_width);
         };
         zone_end = crossings_.size();
         while (zone_end > 0 && crossings_[zone_end - 1].t > 0.0 &&
@@ -194,10 +251,12 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
 }
 
 void Offers::collect_open(const TracedRay& ray, const Part& part, int index, const Contact* contact,
-                          double t_max, std::vector<Offer>& out) {
-    crossings_.clear();
-    part.shape.hits(ray.ray, crossings_);
+                          double t_max, Decisive decisive, std::vector<Offer>& out) {
     const double magnitude = start_magnitude(ray, part);
+    geom::Search search = this->search(ray, part, t_max, decisive);
+    if (contact) search.ends_from = 1e-6 * magnitude;  // see below
+    crossings_.clear();
+    part.shape.crossings(ray.ray, search, crossings_);
     for (const geom::Crossing& crossing : crossings_) {
         if (!(crossing.t > 0.0)) continue;
         if (crossing.t > t_max) break;

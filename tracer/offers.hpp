@@ -29,6 +29,12 @@ struct Offer {
     bool entering;  // the solid: for an inverse part this is leaving the shape
 };
 
+/// Which crossings of a part end the segment, wherever they are: what lies behind the nearest of
+/// them is not needed.
+struct Decisive {
+    bool entering, leaving;  // the solid
+};
+
 /// What a part offers to a ray whose list is known. No epsilon anywhere: a solid in the list can
 /// only be left, one that is not in it only be entered, and what lies behind the origin by rounding
 /// is taken to lie on it.
@@ -38,7 +44,8 @@ public:
         : scene_(scene), statistics_(statistics) {}
 
     /// Appends the crossings of `part` in [0, t_max], each with t clamped to 0 or more.
-    void collect(const TracedRay& ray, int part, double t_max, std::vector<Offer>& out);
+    void collect(const TracedRay& ray, int part, double t_max, Decisive decisive,
+                 std::vector<Offer>& out);
 
     /// M of a crossing of `part` at `t`.
     double magnitude(const TracedRay& ray, int part, double t) const {
@@ -50,8 +57,14 @@ private:
                         double t_max, std::vector<Offer>& out);
     void collect_general(const TracedRay& ray, const Part& part, int index, const Contact* contact,
                          double t_max, std::vector<Offer>& out);
+    bool collect_ahead(const TracedRay& ray, const Part& part, int index, const Contact* contact,
+                       double t_max, Decisive decisive, std::vector<Offer>& out);
     void collect_open(const TracedRay& ray, const Part& part, int index, const Contact* contact,
-                      double t_max, std::vector<Offer>& out);
+                      double t_max, Decisive decisive, std::vector<Offer>& out);
+    geom::Search search(const TracedRay& ray, const Part& part, double t_max,
+                        Decisive decisive) const;
+    bool is_at_start(const TracedRay& ray, const Part& part, const geom::Crossing& crossing,
+                     double tolerance) const;
     double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
     double start_magnitude(const TracedRay& ray, const Part& part) const;
     bool is_rounding(const TracedRay& ray, const Part& part, double distance) const;

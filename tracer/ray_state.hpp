@@ -43,8 +43,8 @@ struct Event {
                        // rounding error
     InteriorList before, after;
     int solid_before = outside, solid_after = outside;
-    Contacts
-        contacts;  // for rays that go on (`starts_inside` is set for them; reflected ones flip it)
+    Contacts contacts;  // of rays that stay on this side; for those that go on `starts_inside` is
+                        // flipped
     double magnitude = 0.0;  // M at the point
 };
 

@@ -165,6 +165,7 @@ RayTree::Pending RayTree::transmitted(const Pending& parent, const Event& event,
     child.ray.ray.direction = direction;
     child.ray.interior = event.after;
     child.ray.contacts = event.contacts;
+    for (Contact& contact : child.ray.contacts) contact.starts_inside = !contact.starts_inside;
     child.ray.birth_magnitude = event.magnitude;
     child.ray.kind = parent.ray.kind;
     child.throughput = parent.throughput;

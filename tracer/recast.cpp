@@ -39,15 +39,17 @@ std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
             const Part& part = scene_.parts[index];
             if (!is_visible(part, ray.kind)) return;
             crossings.clear();
-            if (!part.shape.is_closed()) {
-                part.shape.hits(leg.ray, crossings);
-            } else if (part.shape.is_convex()) {
+            if (part.shape.is_closed() && part.shape.is_convex()) {
                 const geom::Interval interval = part.shape.interval(leg.ray, geom::no_face);
                 if (!interval.hit) return;
                 crossings.push_back({interval.t0, interval.face0, true});
                 crossings.push_back({interval.t1, interval.face1, false});
             } else {
-                part.shape.crossings(leg.ray, crossings);
+                geom::Search search;
+                search.from = epsilon;
+                search.to = limit;
+                search.entering_ends = search.leaving_ends = true;
+                part.shape.crossings(leg.ray, search, crossings);
             }
             for (const geom::Crossing& crossing : crossings) {
                 if (!(crossing.t > epsilon) || crossing.t > limit) continue;

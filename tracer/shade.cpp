@@ -51,6 +51,7 @@ Rgb RayTree::unshadowed(TracedRay shadow, double distance, double way) {
         shadow.ray.direction = direction;
         shadow.interior = hit->after;
         shadow.contacts = hit->contacts;
+        for (Contact& contact : shadow.contacts) contact.starts_inside = !contact.starts_inside;
         shadow.birth_magnitude = hit->magnitude;
     }
 }

@@ -157,7 +157,7 @@ TEST_CASE("a mesh refuses what is no mesh", "[geom]") {
 TEST_CASE("a mesh of a hundred thousand triangles is frugal", "[geom]") {
     const TriangleMesh mesh(icosphere(6));
     CHECK(mesh.size() == 81920);
-    CHECK(mesh.memory_bytes() < 150 * mesh.size());
+    CHECK(mesh.memory_bytes() < 105 * mesh.size());
 }
 
 }  // namespace meniscus::geom

@@ -23,39 +23,7 @@ struct Plan {
 };
 Plan plan;
 
-}  // namespace
-
-#define INTERVAL _ZNK8meniscus4geom11PlacedShape8intervalERKNS0_3RayEi
-#define CROSSINGS \
-    _ZNK8meniscus4geom11PlacedShape9crossingsERKNS0_3RayERNS0_12InlineVectorINS0_8CrossingELm8EEE
-#define JOIN_(a, b) a##b
-#define JOIN(a, b) JOIN_(a, b)
-#define REAL(name) JOIN(__real_, name)
-#define WRAP(name) JOIN(__wrap_, name)
-
-#ifdef __clang__
-#pragma clang diagnostic ignored "-Wreturn-type-c-linkage"
-#endif
-
-extern "C" {
-
-geom::Interval REAL(INTERVAL)(const geom::PlacedShape*, const geom::Ray&, geom::Face);
-void REAL(CROSSINGS)(const geom::PlacedShape*, const geom::Ray&, geom::Crossings&);
-
-geom::Interval WRAP(INTERVAL)(const geom::PlacedShape* shape, const geom::Ray& ray,
-                              geom::Face pin) {
-    geom::Interval interval = REAL(INTERVAL)(shape, ray, pin);
-    if (interval.hit && plan.fault == Fault::skipped_crossing && plan.is_due()) {
-        ++plan.planted;
-        return {geom::infinity, -geom::infinity, geom::no_face, geom::no_face, false};
-    }
-    return interval;
-}
-
-void WRAP(CROSSINGS)(const geom::PlacedShape* shape, const geom::Ray& ray,
-                     geom::Crossings& crossings) {
-    const std::size_t first = crossings.size();
-    REAL(CROSSINGS)(shape, ray, crossings);
+void plant(geom::Crossings& crossings, std::size_t first) {
     if (crossings.size() == first) return;
     switch (plan.fault) {
         case Fault::none:
@@ -78,6 +46,55 @@ void WRAP(CROSSINGS)(const geom::PlacedShape* shape, const geom::Ray& ray,
             }
             break;
     }
+}
+
+}  // namespace
+
+#define INTERVAL _ZNK8meniscus4geom11PlacedShape8intervalERKNS0_3RayEi
+#define CROSSINGS \
+    _ZNK8meniscus4geom11PlacedShape9crossingsERKNS0_3RayERNS0_12InlineVectorINS0_8CrossingELm8EEE
+#define CROSSINGS_AHEAD \
+    _ZNK8meniscus4geom11PlacedShape15crossings_aheadERKNS0_3RayERKNS0_6SearchESt8optionalIiERNS0_12InlineVectorINS0_8CrossingELm8EEE
+#define JOIN_(a, b) a##b
+#define JOIN(a, b) JOIN_(a, b)
+#define REAL(name) JOIN(__real_, name)
+#define WRAP(name) JOIN(__wrap_, name)
+
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wreturn-type-c-linkage"
+#endif
+
+extern "C" {
+
+geom::Interval REAL(INTERVAL)(const geom::PlacedShape*, const geom::Ray&, geom::Face);
+void REAL(CROSSINGS)(const geom::PlacedShape*, const geom::Ray&, geom::Crossings&);
+bool REAL(CROSSINGS_AHEAD)(const geom::PlacedShape*, const geom::Ray&, const geom::Search&,
+                           std::optional<int>, geom::Crossings&);
+
+geom::Interval WRAP(INTERVAL)(const geom::PlacedShape* shape, const geom::Ray& ray,
+                              geom::Face pin) {
+    geom::Interval interval = REAL(INTERVAL)(shape, ray, pin);
+    if (interval.hit && plan.fault == Fault::skipped_crossing && plan.is_due()) {
+        ++plan.planted;
+        return {geom::infinity, -geom::infinity, geom::no_face, geom::no_face, false};
+    }
+    return interval;
+}
+
+void WRAP(CROSSINGS)(const geom::PlacedShape* shape, const geom::Ray& ray,
+                     geom::Crossings& crossings) {
+    const std::size_t first = crossings.size();
+    REAL(CROSSINGS)(shape, ray, crossings);
+    plant(crossings, first);
+}
+
+bool WRAP(CROSSINGS_AHEAD)(const geom::PlacedShape* shape, const geom::Ray& ray,
+                           const geom::Search& search, std::optional<int> depth,
+                           geom::Crossings& crossings) {
+    const std::size_t first = crossings.size();
+    if (!REAL(CROSSINGS_AHEAD)(shape, ray, search, depth, crossings)) return false;
+    plant(crossings, first);
+    return true;
 }
 }
 
