@@ -107,9 +107,10 @@ void grow(Cone& s, Transform& transform, double d) {
     const double own = d * own_distance(transform, axis.direction);
     // the side's line, moved, at the moved ends; where it meets the axis before, the tip is there
     double low = -own, high = axis.length + own;
-    const auto radius = [&](double y) { return s.base_radius + slope * y + out; };
-    if (radius(high) < 0.0) high = -(s.base_radius + out) / slope;
-    if (radius(low) < 0.0) low = -(s.base_radius + out) / slope;
+    const double at_base = s.base_radius + out;
+    const auto radius = [&](double y) { return at_base + slope * y; };
+    if (radius(high) < 0.0) high = -at_base / slope;
+    if (radius(low) < 0.0) low = -at_base / slope;
     require_size(high - low);
     const Vec3 base = s.base;
     s.base = base + low * axis.direction;
