@@ -13,9 +13,10 @@ namespace meniscus::povray {
 /// Throws ExportError at the object's line where nothing sound comes out.
 scene::Object grown(const scene::Object& object, double distance);
 
-/// A profile whose control points are moved along their legs' normals, joined by mitres: exact for
-/// straight pieces, and to second order of the distance for curved ones (Tiller and Hanson 1984).
-/// Throws std::invalid_argument if the profile is too sharp for it.
+/// A profile whose control points are moved along their legs' normals, joined by mitres (Tiller and
+/// Hanson 1984): exact for straight pieces; curved ones, cut in four before, move by up to some 1 %
+/// less than the distance where they bend. Throws std::invalid_argument if the profile is too sharp
+/// for it.
 geom::Lathe offset(const geom::Lathe& lathe, double distance);
 
 /// Vertices moved along their angle-weighted normals, far enough that no face moves less. Throws

@@ -3,12 +3,17 @@
 #include <vector>
 
 #include "geom/profile.hpp"
+#include "povray/cut_profile.hpp"
 #include "povray/grow.hpp"
 
 namespace meniscus::povray {
 namespace {
 
 using geom::Vec2;
+
+/// The less a curve bends, the less its control polygon's offset falls short of its own: of a
+/// quarter turn by a tenth of the distance, of a fourth of it by less than a hundredth.
+constexpr int cuts_of_a_curve = 4;
 
 /// One run of joined pieces as the legs of its control polygon.
 struct Chain {
@@ -22,13 +27,9 @@ std::vector<Chain> chains_of(const geom::Profile& profile) {
     Vec2 end{0.0};
     for (const auto& piece : profile.pieces()) {
         if (chains.empty() || piece.start != end) chains.emplace_back();
-        const auto& c = piece.c;
-        auto& points = chains.back().points;
-        points.push_back(piece.start);
-        points.push_back(c[0] + c[1] / 3.0);
-        points.push_back(c[0] + 2.0 / 3.0 * c[1] + c[2] / 3.0);
-        points.push_back(piece.end);
-        chains.back().outward.push_back(piece.outward);
+        const auto points = cut(piece, piece.straight ? 1 : cuts_of_a_curve);
+        chains.back().points.insert(chains.back().points.end(), points.begin(), points.end());
+        chains.back().outward.insert(chains.back().outward.end(), points.size() / 4, piece.outward);
         end = piece.end;
     }
     for (auto& chain : chains) chain.is_loop = chain.points.front() == chain.points.back();

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "geom/profile.hpp"
+#include "povray/write_lathe.hpp"
 #include "povray/write_mesh.hpp"
 
 namespace meniscus::povray {
@@ -24,7 +24,10 @@ std::string head(const Cone& s) {
     return fmt::format("{}, {}, {}, {}{}", place(s.base), length(s.base_radius), place(s.cap),
                        length(s.cap_radius), s.open ? " open" : "");
 }
-std::string head(const Torus& s) { return fmt::format("{}, {}", length(s.major), length(s.minor)); }
+/// POV-Ray's other way to the roots, its default, is coarse enough to be seen.
+std::string head(const Torus& s) {
+    return fmt::format("{}, {} sturm", length(s.major), length(s.minor));
+}
 std::string head(const Plane& s) {
     return fmt::format("{}, {}", vector(s.direction), length(s.distance));
 }
@@ -51,13 +54,7 @@ std::string head(const Polygon& s) {
     return fmt::format("{},\n        {}", s.points().size(), joined(s.points(), 4));
 }
 
-std::string head(const Lathe& s) {
-    const char* spline = s.spline() == Spline::linear      ? "linear_spline"
-                         : s.spline() == Spline::quadratic ? "quadratic_spline"
-                         : s.spline() == Spline::cubic     ? "cubic_spline"
-                                                           : "bezier_spline";
-    return fmt::format("{} {},\n        {}", spline, s.points().size(), joined(s.points(), 4));
-}
+std::string head(const Lathe& s) { return lathe_head(s); }
 
 std::string_view word(const Shape& shape) {
     const auto* triangle = std::get_if<Triangle>(&shape);
