@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "povray/error.hpp"
-#include "povray/flush.hpp"
+#include "povray/exactness.hpp"
 #include "povray/grow.hpp"
 #include "povray/plan.hpp"
+#include "povray/region.hpp"
 #include "povray/write_interior.hpp"
 #include "povray/write_shape.hpp"
 #include "povray/write_texture.hpp"
@@ -16,12 +16,6 @@ namespace meniscus::povray {
 namespace {
 
 using tracer::Part;
-
-/// What is taken away from a body, and the texture that its own faces get there.
-struct Cutter {
-    scene::Object object;
-    std::size_t texture;
-};
 
 class BodyWriter {
 public:
@@ -33,7 +27,7 @@ public:
           plan_(model == Model::plain ? make_plain_plan(scene) : make_plan(scene)) {}
 
     void write() {
-        if (model_ != Model::plain) refuse_what_is_not_exact();
+        if (model_ != Model::plain) require_exact(scene_, plan_);
         name_textures();
         for (const int part : plan_.plain_parts) write_plain(part);
         if (model_ == Model::contact) {
@@ -53,41 +47,10 @@ private:
     const scene::Solid& solid(const Body& body) const {
         return scene_.source.solids[std::size_t(body.solid)];
     }
-    const Body& body(int index) const { return plan_.bodies[std::size_t(index)]; }
-
-    void refuse_what_is_not_exact() const {
-        for (const Body& body : plan_.bodies) {
-            if (body.is_outside) continue;
-            const auto& interior = solid(body).interior;
-            for (const int index : body.parts) {
-                const Part& part = scene_.parts[std::size_t(index)];
-                const bool has_neighbours = !body.higher.empty() || !body.lower.empty();
-                if (has_neighbours && (part.no_image || part.no_reflection)) {
-                    throw ExportError(object(index).location,
-                                      "no_image and no_reflection on a solid that meets others "
-                                      "cannot be exported: POV-Ray would still let it cut them");
-                }
-                if (part.no_shadow && interior.attenuates()) {
-                    throw ExportError(object(index).location,
-                                      "no_shadow on an absorbing solid cannot be exported: "
-                                      "POV-Ray's shadow rays would not be absorbed");
-                }
-            }
-            if (interior.caustics != 0.0) {
-                throw ExportError(solid(body).location,
-                                  "caustics cannot be exported: POV-Ray brightens at each cut "
-                                  "face once more");
-            }
-        }
-        for (const int index : plan_.plain_parts) {
-            const Part& part = scene_.parts[std::size_t(index)];
-            if (!part.is_opaque && !plan_.bodies.empty()) {
-                throw ExportError(object(index).location,
-                                  "an open surface that lets light through cannot be exported "
-                                  "beside dielectrics: POV-Ray takes it for the bound of a solid");
-            }
-        }
+    std::vector<Cutter> cutters_of(const Body& body) const {
+        return cutters(scene_, plan_, body, model_, hair_);
     }
+    const Body& body(int index) const { return plan_.bodies[std::size_t(index)]; }
 
     /// A texture that is used more than once gets a name.
     void name_textures() {
@@ -156,50 +119,6 @@ private:
         write_shape(writer_, it, words);
     }
 
-    double growth(const Body& body) const {
-        // All that meet: where air of a higher priority cuts both, each must reach beyond the cut.
-        const bool meets = !body.higher.empty() || !body.lower.empty() || body.meets_opaque;
-        return model_ == Model::contact && meets ? hair_ * (1.5 + body.rank) : 0.0;
-    }
-
-    std::vector<Cutter> cutters(const Body& body) const {
-        std::vector<Cutter> result;
-        if (model_ == Model::plain) return result;
-        for (const int index : body.higher) {
-            const Body& other = this->body(index);
-            const double distance = other.is_outside       ? 0.0
-                                    : model_ == Model::gap ? hair_
-                                                           : -hair_ * (1.0 + body.rank);
-            for (const int part : other.parts) {
-                const auto& theirs = object(part);
-                const bool is_film = model_ == Model::gap && !other.is_outside;
-                const Cutter cutter{grown(theirs, distance), is_film ? clear : theirs.texture};
-                result.push_back(cutter);
-                if (!is_film) extend(body, part, cutter, result);
-            }
-        }
-        if (model_ == Model::gap) {
-            for (const int part : body.touched)
-                result.push_back({grown(object(part), hair_), clear});
-        }
-        return result;
-    }
-
-    /// A cutter that ends flush with the body also cuts what lies behind that face.
-    void extend(const Body& body, int part, const Cutter& cutter,
-                std::vector<Cutter>& result) const {
-        const double reach = hair_ * (4.0 + 2.0 * body.rank);
-        for (const int mine : body.parts) {
-            for (const auto& normal : flush_normals(scene_, scene_.parts[std::size_t(part)],
-                                                    scene_.parts[std::size_t(mine)])) {
-                result.push_back(cutter);
-                auto& moved = result.back().object;
-                moved.transform =
-                    moved.transform.then(geom::Transform::translation(reach * normal));
-            }
-        }
-    }
-
     /// Whether faces of several textures make up the body's surface.
     bool is_many_textured(const Body& body, const std::vector<Cutter>& cutters) const {
         const auto name = texture_name(object(body.parts.front()).texture);
@@ -239,7 +158,7 @@ private:
     /// The body's region: its parts, larger by a hair where it meets others, minus what is above.
     void write_region(const Body& body, const std::vector<Cutter>& cutters, bool with_skins,
                       const std::vector<std::string>& words) {
-        const double distance = growth(body);
+        const double distance = growth(body, model_, hair_);
         std::vector<scene::Object> parts;
         for (const int part : body.parts) parts.push_back(grown(object(part), distance));
         const auto child_words = [&](std::size_t texture) {
@@ -277,14 +196,14 @@ private:
     void declare(const Body& body) {
         write_heading(body.name, solid(body).location, ", its region");
         writer_.line("#declare {} =", body.name);
-        write_region(body, cutters(body), false, {});
+        write_region(body, cutters_of(body), false, {});
     }
 
     void write_body(const Body& body) {
         const auto& it = solid(body);
         write_heading(body.name, it.location,
                       fmt::format(", priority {}", number(it.interior.priority)));
-        const auto cut = cutters(body);
+        const auto cut = cutters_of(body);
         const bool many = is_many_textured(body, cut);
         std::vector<std::string> words;
         if (!many) words = skin(body, texture_name(object(body.parts.front()).texture));
@@ -301,8 +220,6 @@ private:
             write_region(body, cut, many, words);
         }
     }
-
-    static constexpr std::size_t clear = std::size_t(-1);  // has no name of its own: "Clear"
 
     Writer& writer_;
     const tracer::RenderScene& scene_;

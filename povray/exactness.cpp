@@ -1,0 +1,45 @@
+#include "povray/exactness.hpp"
+
+#include "povray/error.hpp"
+
+namespace meniscus::povray {
+
+void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
+    using tracer::Part;
+    const auto location = [&](int part) {
+        return scene.source.objects[std::size_t(scene.parts[std::size_t(part)].object)].location;
+    };
+    for (const Body& body : plan.bodies) {
+        if (body.is_outside) continue;
+        const auto& interior = scene.source.solids[std::size_t(body.solid)].interior;
+        for (const int index : body.parts) {
+            const Part& part = scene.parts[std::size_t(index)];
+            const bool has_neighbours = !body.higher.empty() || !body.lower.empty();
+            if (has_neighbours && (part.no_image || part.no_reflection)) {
+                throw ExportError(location(index),
+                                  "no_image and no_reflection on a solid that meets others "
+                                  "cannot be exported: POV-Ray would still let it cut them");
+            }
+            if (part.no_shadow && interior.attenuates()) {
+                throw ExportError(location(index),
+                                  "no_shadow on an absorbing solid cannot be exported: "
+                                  "POV-Ray's shadow rays would not be absorbed");
+            }
+        }
+        if (interior.caustics != 0.0) {
+            throw ExportError(scene.source.solids[std::size_t(body.solid)].location,
+                              "caustics cannot be exported: POV-Ray brightens at each cut "
+                              "face once more");
+        }
+    }
+    for (const int index : plan.plain_parts) {
+        const Part& part = scene.parts[std::size_t(index)];
+        if (!part.is_opaque && !plan.bodies.empty()) {
+            throw ExportError(location(index),
+                              "an open surface that lets light through cannot be exported "
+                              "beside dielectrics: POV-Ray takes it for the bound of a solid");
+        }
+    }
+}
+
+}  // namespace meniscus::povray

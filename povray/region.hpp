@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "povray/export.hpp"
+#include "povray/plan.hpp"
+
+namespace meniscus::povray {
+
+/// What is taken away from a body, and the texture that its own faces get there.
+struct Cutter {
+    scene::Object object;
+    std::size_t texture;  // of the scene, or `clear_skin`
+};
+
+/// The texture of a film's face, which no object of the scene has.
+inline constexpr std::size_t clear_skin = std::size_t(-1);
+
+/// By how much a body is made larger: in contact with others by a hair, so that it reaches into
+/// them. Scene units.
+double growth(const Body& body, Model model, double hair);
+
+/// What is above a body and overlaps or touches it: smaller by more than a hair in contact, larger
+/// by the gap for films.
+std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
+                            Model model, double hair);
+
+}  // namespace meniscus::povray
