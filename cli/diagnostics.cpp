@@ -51,4 +51,8 @@ void print_error(std::string_view text) {
     print_diagnostic(fmt::format("meniscus: error: {}", text));
 }
 
+void print_warning(std::string_view text) {
+    print_diagnostic(fmt::format("meniscus: warning: {}", text));
+}
+
 }  // namespace meniscus::cli

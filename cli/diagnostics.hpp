@@ -9,5 +9,7 @@ void print_diagnostic(std::string_view formatted);
 
 /// One line about something that is not in a scene: "meniscus: error: ...".
 void print_error(std::string_view text);
+/// The same as a warning.
+void print_warning(std::string_view text);
 
 }  // namespace meniscus::cli

@@ -3,12 +3,14 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/diagnostics.hpp"
 #include "cli/model_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/validators.hpp"
 #include "image/file.hpp"
 #include "povray/export.hpp"
 #include "povray/film.hpp"
+#include "povray/scale.hpp"
 
 namespace meniscus::cli {
 namespace {
@@ -44,7 +46,9 @@ ExitCode run(const ExportOptions& options) {
         print_film(povray::with_films(interpreted.scene, *options.gap).thickness);
     if (model == povray::Model::contact)
         fmt::print(stderr, "overlap {:.3g} scene units\n", exported.overlap);
-    fmt::print(stderr, "scale {:g}\n", exported.scale);
+    fmt::print(stderr, "scale {:g}: POV-Ray sees from {:.2g} to {:.2g} scene units\n",
+               exported.scale, povray::nearest / exported.scale, povray::farthest / exported.scale);
+    for (const auto& warning : exported.warnings) print_warning(warning);
     return ExitCode::done;
 }
 

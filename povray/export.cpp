@@ -1,24 +1,13 @@
 #include "povray/export.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "povray/error.hpp"
+#include "povray/scale.hpp"
 #include "povray/write_bodies.hpp"
 #include "povray/write_surroundings.hpp"
 #include "tracer/render_scene.hpp"
 
 namespace meniscus::povray {
 namespace {
-
-/// POV-Ray sees no hit nearer than 1e-4 (1e-3 in shadow rays) and nothing beyond 1e7: the scene's
-/// size becomes some 10^4.
-double natural_scale(const tracer::RenderScene& scene) {
-    geom::Bounds box = scene.bvh.bounds();
-    box.extend(scene.source.camera.location);
-    const double size = std::max(geom::max_abs(box.size()), 1e-300);
-    return std::pow(10.0, std::round(std::log10(1e4 / size)));
-}
 
 /// What POV-Ray has no word for, in any model.
 void check_outside(const scene::Scene& scene) {
@@ -48,9 +37,9 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
     check_outside(source);
     const auto scene = tracer::compile(source);
     Exported result;
-    result.scale = options.scale.value_or(natural_scale(scene));
-    // in POV-Ray's units: above the 1e-3 of its shadow rays, and no more than needed
-    if (options.model == Model::contact) result.overlap = 2e-3 / result.scale;
+    result.scale = options.scale.value_or(natural_scale(scene, options));
+    if (options.model == Model::contact) result.overlap = least_overlap / result.scale;
+    result.warnings = scale_warnings(scene, options, result.scale);
 
     Writer writer;
     writer.line("// {}, for POV-Ray 3.7 by Meniscus:",

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -25,7 +26,8 @@ struct ExportOptions {
 struct Exported {
     std::string text;
     double scale = 1.0;
-    double overlap = 0.0;  // contact: the least, in scene units
+    double overlap = 0.0;               // contact: the least, in scene units
+    std::vector<std::string> warnings;  // where the scale does not fit the scene
 };
 
 /// A scene in POV-Ray's own language. Throws ExportError for what the model cannot say.
