@@ -1,98 +1,18 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "cli/command.hpp"
-#include "cli/diagnostics.hpp"
-#include "cli/scene_comparison.hpp"
-#include "cli/shell_words.hpp"
+#include "cli/comparison_output.hpp"
+#include "cli/picture_comparison.hpp"
 #include "cli/sweep_comparison.hpp"
 #include "cli/validators.hpp"
 #include "cli/version.hpp"
-#include "compare/difference_picture.hpp"
-#include "compare/json_report.hpp"
-#include "image/save.hpp"
+#include "image/file.hpp"
 
 namespace meniscus::cli {
 namespace {
-
-struct CompareOptions {
-    std::vector<std::string> inputs;  // two pictures, or scenes
-    SceneOptions scene{
-        .scene = {}, .width = 320, .height = 240, .declarations = {}, .library_paths = {}};
-    std::string povray_source, model;
-    std::optional<double> gap, scale;
-    compare::Settings settings;
-    std::optional<double> tolerance;
-    int runs = 1;
-    std::string output, report, json;
-    std::string sweep, csv, svg, markdown;
-};
-
-bool is_picture(const std::string& path) {
-    return path != image::standard_stream && image::format_of(path).has_value();
-}
-
-bool is_within(const compare::Metrics& metrics, const std::optional<double>& tolerance) {
-    return !tolerance || (metrics.rmse <= *tolerance && metrics.not_finite == 0);
-}
-
-/// What `compare` was told, to be told again.
-std::string own_command_line(const CompareOptions& options,
-                             const std::vector<std::string>& inputs) {
-    std::vector<std::string> words = {"meniscus", "compare"};
-    const auto add = [&](std::initializer_list<std::string> more) {
-        words.insert(words.end(), more);
-    };
-    words.insert(words.end(), inputs.begin(), inputs.end());
-    if (!is_picture(inputs.front())) {
-        add({"-W", std::to_string(options.scene.width), "-H",
-             std::to_string(options.scene.height)});
-        for (const auto& declaration : options.scene.declarations) add({"--declare", declaration});
-        for (const auto& path : options.scene.library_paths) add({"-L", path});
-        if (!options.povray_source.empty()) add({"--povray", options.povray_source});
-        if (!options.model.empty()) add({"--model", options.model});
-        if (options.gap) add({"--gap", fmt::format("{}", *options.gap)});
-        if (options.scale) add({"--scale", fmt::format("{}", *options.scale)});
-    } else if (options.settings.clip) {
-        add({"--clip"});
-    }
-    add({"--threshold", fmt::format("{}", options.settings.threshold)});
-    if (options.tolerance) add({"--tolerance", fmt::format("{}", *options.tolerance)});
-    if (!options.report.empty()) add({"--report", options.report});
-    return command_line(words);
-}
-
-compare::Side load_side(const std::string& path, bool& clip) {
-    auto loaded = image::load_with_header(path);
-    const bool is_png = loaded.format == image::Format::png;
-    clip = clip || is_png;
-    compare::Side side{
-        .name = path, .picture = std::move(loaded.image), .facts = {}, .command = {}};
-    side.facts.emplace_back(
-        "format",
-        is_png ? fmt::format("PNG, {} bits a channel{}", loaded.bits,
-                             loaded.bits == 8 ? ": steps of up to 0.009 in linear light" : "")
-               : fmt::format("OpenEXR, {}-bit floats", loaded.bits));
-    for (const char* key : {"Software", "Scene", "Options", "Tree", "Reproduce"})
-        if (const auto found = loaded.metadata.find(key); found != loaded.metadata.end())
-            side.facts.emplace_back(key, found->second);
-    return side;
-}
-
-SceneComparison compare_pictures(const CompareOptions& options) {
-    auto settings = options.settings;
-    auto reference = load_side(options.inputs[0], settings.clip);
-    auto picture = load_side(options.inputs[1], settings.clip);
-    SceneComparison result{compare::compare(std::move(reference), std::move(picture), settings),
-                           {}};
-    result.words.settings = {
-        {"values", fmt::format("linear light{}", settings.clip ? ", clipped to [0, 1]" : "")}};
-    return result;
-}
 
 /// POV-Ray reads its own files as they are; all else is exported.
 std::optional<povray::Model> model_of(const CompareOptions& options, const std::string& scene) {
@@ -119,76 +39,6 @@ SceneComparison compare_scene(const CompareOptions& options, const std::string& 
     return compare_scene(one);
 }
 
-void save_difference(const compare::Comparison& comparison, const std::string& path) {
-    image::SaveOptions save;
-    save.format = *image::format_of(path);
-    const double scale = compare::suggested_scale(comparison);
-    const image::Metadata metadata{
-        {"Software", fmt::format("Meniscus {}", version)},
-        {"Difference", fmt::format("{} - {}", comparison.picture.name, comparison.reference.name)},
-        {"Scale", save.format == image::Format::exr ? "linear" : fmt::format("{:g}", scale)}};
-    if (save.format == image::Format::exr)
-        return image::save(compare::difference_values(comparison), path, save, metadata);
-    image::save(compare::difference_map(comparison, scale), path, save, metadata);
-    fmt::print(stderr, "{}: blue {:g} and below, white 0, red {:g} and above\n", path, -scale,
-               scale);
-}
-
-/// One comparison's outputs; whether it is within the tolerance.
-bool report(const CompareOptions& options, SceneComparison& result,
-            const std::vector<std::string>& inputs, compare::Json& json) {
-    const bool good = is_within(result.comparison.all, options.tolerance);
-    if (options.json != image::standard_stream) {
-        fmt::print("{}", compare::format_text(result.comparison));
-        if (options.tolerance)
-            fmt::print("tolerance      {:g}: {}\n", *options.tolerance, good ? "within" : "above");
-    }
-    json.push_back(compare::to_json(result.comparison));
-    if (options.tolerance) json.back()["tolerance"] = *options.tolerance;
-    json.back()["within_tolerance"] = good;
-    if (!options.output.empty()) save_difference(result.comparison, options.output);
-    if (!options.report.empty()) {
-        result.words.title = fmt::format("{} against {}", result.comparison.picture.name,
-                                         result.comparison.reference.name);
-        if (inputs.size() == 1) result.words.title = inputs.front() + ": " + result.words.title;
-        result.words.tolerance = options.tolerance;
-        result.words.commands.insert(result.words.commands.begin(),
-                                     {"This comparison:", own_command_line(options, inputs)});
-        image::write_file(options.report, compare::format_report(result.comparison, result.words));
-    }
-    return good;
-}
-
-void check_usage(const CompareOptions& options) {
-    const auto pictures = std::ranges::count_if(options.inputs, is_picture);
-    if (pictures > 0 && (pictures != 2 || options.inputs.size() != 2))
-        throw UsageError("compare takes two pictures (.png, .exr), or scenes");
-    if (pictures > 0 && !options.povray_source.empty())
-        throw UsageError("--povray goes with a scene, not with two pictures");
-    if ((options.model == "gap") != options.gap.has_value())
-        throw UsageError("--model gap and --gap G go together");
-    if (!options.povray_source.empty() && !options.model.empty())
-        throw UsageError(
-            "--povray and --model exclude each other: the one is read, the other exported");
-    const bool is_one = pictures == 2 || options.inputs.size() == 1;
-    if (!is_one &&
-        !(options.output.empty() && options.report.empty() && options.povray_source.empty()))
-        throw UsageError("-o, --report and --povray go with one scene at a time");
-    if (!options.output.empty() && !is_picture(options.output))
-        throw UsageError(fmt::format("'{}' must end in .png or .exr", options.output));
-    const bool sweeps = !options.sweep.empty();
-    if (!sweeps && !(options.csv.empty() && options.svg.empty() && options.markdown.empty()))
-        throw UsageError("--csv, --svg and --markdown go with --sweep-gap");
-    if (sweeps && !(options.output.empty() && options.report.empty() && options.json.empty() &&
-                    !options.tolerance))
-        throw UsageError(
-            "--sweep-gap writes --csv, --svg and --markdown; -o, --report, --json and --tolerance "
-            "do not go with it");
-    for (const auto* path : {&options.output, &options.report, &options.json, &options.csv,
-                             &options.svg, &options.markdown})
-        if (!path->empty()) image::check_writable(*path);
-}
-
 /// Each to its file; the table to standard output.
 ExitCode run_sweep(const CompareOptions& options) {
     if (options.inputs.size() != 1) throw UsageError("--sweep-gap takes one scene");
@@ -204,6 +54,9 @@ ExitCode run_sweep(const CompareOptions& options) {
         image::write_file(options.svg, compare::draw(compare::make_plot(sweep)));
     if (!options.markdown.empty())
         image::write_file(options.markdown, compare::format_markdown(sweep));
+    if (!options.report.empty())
+        image::write_file(options.report,
+                          compare::format_page(sweep, own_command_line(options, options.inputs)));
     fmt::print("{}", compare::format_text(sweep));
     return ExitCode::done;
 }
@@ -214,14 +67,14 @@ ExitCode run(const CompareOptions& options) {
     auto json = compare::Json::array();
     bool good = true;
     if (is_picture(options.inputs.front())) {
-        auto result = compare_pictures(options);
-        good = report(options, result, options.inputs, json);
+        auto result = compare_pictures(options.inputs[0], options.inputs[1], options.settings);
+        good = write_comparison(options, result, options.inputs, json);
     } else {
         for (const auto& scene : options.inputs) {
             if (options.inputs.size() > 1 && options.json != image::standard_stream)
                 fmt::print("{}== {}\n", &scene == &options.inputs.front() ? "" : "\n", scene);
             auto result = compare_scene(options, scene);
-            good = report(options, result, {scene}, json) && good;
+            good = write_comparison(options, result, {scene}, json) && good;
         }
     }
     if (!options.json.empty())

@@ -5,10 +5,11 @@
 #include <algorithm>
 
 #include "cli/shell_words.hpp"
-#include "compare/ray_tree_regions.hpp"
+#include "compare/jump_regions.hpp"
 #include "inspect/diagram.hpp"
 #include "inspect/text_report.hpp"
 #include "povray/film.hpp"
+#include "povray/precision.hpp"
 #include "povray/run.hpp"
 #include "tracer/render.hpp"
 
@@ -61,11 +62,12 @@ std::string_view name(povray::Model model) {
 struct Source {
     std::string file, text;
     std::string export_command;  // makes `file` of the scene; empty if it is there anyhow
+    std::vector<std::string> warnings;
 };
 
 Source make_source(const SceneComparisonOptions& options, const scene::Scene& scene) {
-    if (!options.reference.empty()) return {options.reference, {}, {}};
-    if (!options.model) return {options.scene.scene, {}, {}};
+    if (!options.reference.empty()) return {options.reference, {}, {}, {}};
+    if (!options.model) return {options.scene.scene, {}, {}, {}};
     const auto file = options.scene.stem() + ".pov";
     std::vector<std::string> words = {"export",  options.scene.scene,
                                       "--to",    "povray",
@@ -77,7 +79,7 @@ Source make_source(const SceneComparisonOptions& options, const scene::Scene& sc
                                                        .gap = options.gap,
                                                        .scale = options.scale,
                                                        .source = options.scene.file_name()});
-    return {file, exported.text, meniscus_line(words, options.scene)};
+    return {file, exported.text, meniscus_line(words, options.scene), exported.warnings};
 }
 
 PovRaySide render_by_povray(const SceneComparisonOptions& options, const Source& source) {
@@ -113,6 +115,7 @@ PovRaySide render_by_povray(const SceneComparisonOptions& options, const Source&
                        .command = command_line(result.command)},
                       result.command};
     if (options.gap > 0.0) povray.side.facts.emplace_back("gap", fmt::format("{}", options.gap));
+    for (const auto& warning : source.warnings) povray.side.facts.emplace_back("warning", warning);
     for (const auto& warning : result.warnings) povray.side.facts.emplace_back("warning", warning);
     return povray;
 }
@@ -173,7 +176,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
     auto options = given;
     if (options.reference.empty() && !options.model)
         options.scene.declarations.emplace_back("Meniscus=1");
-    auto source_scene = read_scene(options.scene).scene;
+    auto source_scene = povray::with_povrays_iors(read_scene(options.scene).scene);
     const auto source = make_source(given, source_scene);
     if (options.model == povray::Model::gap)
         source_scene = povray::with_films(std::move(source_scene), options.gap).scene;
@@ -187,7 +190,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
 
     auto povray = render_by_povray(given, source);
     auto ours = render_by_meniscus(options, scene, tracer_options);
-    auto regions = compare::regions_by_ray_trees(scene, tracer_options, ours.picture);
+    auto regions = compare::regions_by_jumps(scene, tracer_options, ours.picture);
     auto settings = options.settings;
     settings.clip = true;  // as POV-Ray's picture is
 
@@ -197,6 +200,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
     result.words.settings = {
         {"picture", fmt::format("{} x {} pixel centres, values in linear light clipped to [0, 1]",
                                 options.scene.width, options.scene.height)},
+        {"indices of refraction", "in single precision, as POV-Ray holds them, for both"},
         {"ray tree",
          "whitted: max_trace_level and adc_bailout of the scene, with POV-Ray's meaning"}};
     if (!source.export_command.empty())

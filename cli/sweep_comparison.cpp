@@ -8,6 +8,7 @@
 #include "cli/validators.hpp"
 #include "povray/export.hpp"
 #include "povray/film.hpp"
+#include "povray/precision.hpp"
 #include "povray/run.hpp"
 #include "tracer/render.hpp"
 
@@ -42,7 +43,7 @@ Pair render_source(const SweepOptions& options, double gap) {
     gapped.scene = options.gapped;
     gapped.declarations.push_back("Gap=" + text);
     gapped.declarations.emplace_back("Meniscus=1");
-    Pair pair{render(gapped, read_scene(gapped).scene), {}, {}};
+    Pair pair{render(gapped, povray::with_povrays_iors(read_scene(gapped).scene)), {}, {}};
     try {
         pair.theirs = povray::run(options.gapped, {.width = gapped.width,
                                                    .height = gapped.height,
@@ -114,7 +115,7 @@ std::vector<double> parse_gaps(const std::string& text) {
 }
 
 compare::Sweep sweep_gaps(const SweepOptions& options) {
-    const auto scene = read_scene(options.scene).scene;
+    const auto scene = povray::with_povrays_iors(read_scene(options.scene).scene);
     const auto contact = clipped(render(options.scene, scene).picture);
     compare::Sweep sweep{
         fmt::format("{} with a gap, {} x {} pixel centres", options.scene.file_name(),

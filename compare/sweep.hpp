@@ -34,5 +34,7 @@ std::string format_csv(const Sweep& sweep);
 /// A table in Markdown.
 std::string format_markdown(const Sweep& sweep);
 Plot make_plot(const Sweep& sweep);
+/// A page of one file: the plot, the table, what they say, and the command to make them again.
+std::string format_page(const Sweep& sweep, const std::string& command);
 
 }  // namespace meniscus::compare

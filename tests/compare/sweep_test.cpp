@@ -44,3 +44,12 @@ TEST_CASE("a plot shows what is there, and no gap of 0", "[compare]") {
     CHECK(plot.series[0].points.size() == 1);
     CHECK(plot.series[2].points.size() == 2);
 }
+
+TEST_CASE("a sweep is a page of its own, with its command", "[compare]") {
+    const auto page = format_page(sweep(), "meniscus compare a.scene --sweep-gap 1e-1:1e-2");
+    CHECK_THAT(page, Contains("<!DOCTYPE html>") && Contains("<h1>A glass</h1>") &&
+                         Contains("<svg") && Contains("2.00e-01 (25.00 %)") &&
+                         Contains("it broke") &&
+                         Contains("meniscus compare a.scene --sweep-gap 1e-1:1e-2"));
+    CHECK_THAT(page, !Contains("src=\"http") && !Contains("href=\"http"));
+}

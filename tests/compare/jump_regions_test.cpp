@@ -1,5 +1,6 @@
-#include "compare/ray_tree_regions.hpp"
+#include "compare/jump_regions.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "lang/interpret.hpp"
@@ -21,7 +22,7 @@ background { color rgb 0.5 }
     tracer::Options options;
     options.width = options.height = 40;
     options.sampling = tracer::GridSampling{1};
-    return compare::regions_by_ray_trees(scene, options, tracer::render(scene, options).picture);
+    return compare::regions_by_jumps(scene, options, tracer::render(scene, options).picture);
 }
 
 enum { inside, outside, edges };
@@ -32,25 +33,42 @@ bool is(const compare::Regions& regions, int part, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("glass that is as bright as its surroundings has an inside and an edge", "[compare]") {
+TEST_CASE("a jump is a band of one pixel on either side", "[compare]") {
+    const auto seen =
+        regions("sphere { 0, 1 pigment { color rgb 0.52 } finish { ambient 1 diffuse 0 } }\n");
+    // The silhouette crosses row 20 at column 10: the first pixel whose centre is within radius 1.
+    CHECK_FALSE(is(seen, edges, 8, 20));
+    CHECK(is(seen, edges, 9, 20));
+    CHECK(is(seen, edges, 10, 20));
+    CHECK_FALSE(is(seen, edges, 11, 20));
+}
+
+TEST_CASE("glass that is as bright as its surroundings has an inside and no edge", "[compare]") {
     const auto seen = regions("sphere { 0, 1 material { ior 1.1 } }\n");
     CHECK(is(seen, inside, 20, 20));
     CHECK(is(seen, outside, 2, 2));
-    // The silhouette crosses row 20 at column 10: the first pixel whose centre is within radius 1.
-    CHECK(is(seen, edges, 9, 20));
-    CHECK(is(seen, edges, 10, 20));
-    CHECK_FALSE(is(seen, edges, 8, 20));
+    CHECK(std::ranges::count(seen.parts[edges].pixels, true) == 0);
+}
+
+TEST_CASE("what changes fast is no edge", "[compare]") {
+    // 0 to 1 within six pixels.
+    const auto seen = regions(
+        "plane { z, 1 pigment { gradient x color_map { [0 rgb 0] [0.5 rgb 1] [1 rgb 0] } scale 0.8 "
+        "} "
+        "finish { ambient 1 diffuse 0 } }\n");
+    CHECK(std::ranges::count(seen.parts[edges].pixels, true) == 0);
 }
 
 TEST_CASE("an edge behind a surface of glass is an edge", "[compare]") {
-    // A slab of glass; behind it a slab of water in its left half. Neither changes a colour by 0.1.
     const auto seen = regions(
         "box { <-3, -3, 0>, <3, 3, 1> material { ior 1.5 } }\n"
-        "box { <-3, -3, 2>, <0, 3, 3> material { ior 1.33 } }\n");
+        "box { <-3, -3, 2>, <0, 3, 3> pigment { color rgb 0.47 } finish { ambient 1 diffuse 0 } "
+        "}\n");
     CHECK(is(seen, inside, 5, 20));
     CHECK(is(seen, inside, 35, 20));
     CHECK(is(seen, edges, 19, 20));
     CHECK(is(seen, edges, 20, 20));
+    CHECK_FALSE(is(seen, edges, 21, 20));
 }
 
 TEST_CASE("an opaque object is outside", "[compare]") {
