@@ -1,0 +1,115 @@
+#include <catch2/catch.hpp>
+
+#include "tests/cli/program.hpp"
+
+using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
+
+namespace {
+
+constexpr auto nest = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -4> look_at 0 right x*image_width/image_height }
+background { rgb <0.2, 0.5, 0.9> }
+#declare Glass = sphere { 0, 1 material { ior 1.5 priority 1 } }
+object { Glass }
+sphere { 0, 0.8 material { ior 1.33 priority 2 absorption rgb <0.1, 0.2, 0.3> } }
+)";
+
+}  // namespace
+
+TEST_CASE("export writes the scene's name with .pov, or where it is told", "[export][cli]") {
+    const Program program;
+    program.write("nest.scene", nest);
+    const auto result = program.run("export nest.scene");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.err, Contains("overlap 1.1e-06 scene units") && Contains("scale 1000"));
+    const auto text = program.read("nest.pov");
+    CHECK_THAT(text,
+               StartsWith("// nest.scene, for POV-Ray 3.7 by Meniscus:\n") && EndsWith("}\n"));
+
+    CHECK(program.run("export nest.scene -o other.pov").exit_code == 0);
+    CHECK(program.read("other.pov") == text);
+    const auto piped = program.run("export nest.scene --to povray --model contact -o -");
+    CHECK(piped.exit_code == 0);
+    CHECK(piped.out == text);
+}
+
+TEST_CASE("an export can be read: names, places, one object a paragraph", "[export][cli]") {
+    const Program program;
+    program.write("nest.scene", nest);
+    const auto text = program.run("export nest.scene -o -").out;
+    CHECK_THAT(text, Contains("\n\n// Glass (nest.scene:6), priority 1\n") &&
+                         Contains("\n\n// Sphere_7 (nest.scene:7), priority 2\n") &&
+                         Contains("#declare Glass =\n") && Contains("interior { ior 1.5 }") &&
+                         Contains("media { absorption rgb <0.1, 0.2, 0.3>/S }") &&
+                         Contains("interior_texture"));
+    CHECK_THAT(text, !Contains("\n\n\n") && !Contains(" \n") && !Contains("\t"));
+}
+
+TEST_CASE("the models differ in what stands for the priorities", "[export][cli]") {
+    const Program program;
+    program.write("nest.scene", nest);
+    const auto plain = program.run("export nest.scene --model plain -o -");
+    CHECK_THAT(plain.out, Contains("as declared, without its priorities") &&
+                              Contains("sphere {\n    <0, 0, 0>, 0.8*S\n") &&
+                              !Contains("difference") && !Contains("interior_texture"));
+    const auto gap = program.run("export nest.scene --model gap --gap 0.01 -o -");
+    CHECK_THAT(gap.out, Contains("// The films are 0.01 thick.") && Contains("0.81*S") &&
+                            Contains("difference") && !Contains("interior_texture"));
+    CHECK_THAT(gap.err, Contains("films 0.01 to 0.01 scene units thick"));
+    const auto alone = program.run("export ball.scene --model gap --gap 0.01 -o -");
+    CHECK_THAT(alone.err, Contains("no films: no solid cuts another"));
+}
+
+TEST_CASE("a scale that does not fit is warned of", "[export][cli]") {
+    const Program program;
+    program.write("nest.scene", nest);
+    const auto result = program.run("export nest.scene --scale 1 -o nest.pov");
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("meniscus: warning: solids overlap by 0.0011 at --scale 1") &&
+                               Contains("use --scale 100 or more"));
+}
+
+TEST_CASE("what export cannot do it refuses where it stands", "[export][cli]") {
+    const Program program;
+    const std::string head = "camera { location <0, 0, -4> look_at 0 }\n";
+    const struct {
+        const char *scene, *arguments, *where, *why;
+    } cases[] = {
+        {"sphere { 0, 1 material { ior 1.5 priority 1 } }\n"
+         "sphere { x, 1 material { ior 1.3 priority 1 } }\n",
+         "", "s.scene:3:1: error: ", "overlap with the same priority 1"},
+        {"sphere { 0, 1 interior { ior 1.5 fade_distance 1 fade_power 2 } }\n", "",
+         "s.scene:2:1: error: ", "fade_power below 1000"},
+        {"sphere { 0, 1 interior { ior 1.5 caustics 1 } }\n", "",
+         "s.scene:2:1: error: ", "caustics"},
+        {"sphere { 0, 1 material { ior 1.5 } }\n  disc { 2*y, y, 1 pigment { rgbt 1 } }\n", "",
+         "s.scene:3:3: error: ", "open surface that lets light through"},
+        {"sphere { 0, 1 material { ior 1.5 priority 1 } no_image }\n"
+         "sphere { 0, 0.5 material { ior 1.3 priority 2 } }\n",
+         "", "s.scene:2:1: error: ", "no_image"},
+        {"sphere { 0, 1 material { ior 1.5 priority 1 } }\n"
+         "sphere { 0.9*x, 0.1 material { ior 1.3 priority 2 } }\n"
+         "sphere { 1.05*x, 0.01 material { ior 1.4 priority 0 } }\n",
+         "--model gap --gap 0", "", "--gap"},
+        {"", "--model gap", "meniscus: error: ", "--model gap needs --gap G"},
+        {"", "--gap 1e-3", "meniscus: error: ", "--gap belongs to --model gap"},
+        {"", "--to rayshade", "", "--to"},
+        {"global_settings { interior { ior 1 absorption rgb 0.1 } }\n", "",
+         "error: ", "the outside absorbs"},
+    };
+    for (const auto& c : cases) {
+        program.write("s.scene", head + c.scene);
+        const auto result = program.run(std::string("export s.scene -o s.pov ") + c.arguments);
+        INFO(c.scene << c.arguments << "\n" << result.err);
+        CHECK(result.exit_code == 2);
+        CHECK_THAT(result.err, Contains(c.where) && Contains(c.why));
+        CHECK_FALSE(program.exists("s.pov"));
+    }
+    CHECK(program.run("export ball.scene -o nowhere/s.pov").exit_code == 3);
+    CHECK(program.run("export none.scene").exit_code == 3);
+}
