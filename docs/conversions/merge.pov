@@ -1,4 +1,5 @@
 // A dumb-bell of one piece, by CSG.
+#version 3.7;
 #include "table.inc"
 #declare Clear = texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel } conserve_energy } }
 merge {

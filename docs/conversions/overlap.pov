@@ -1,4 +1,5 @@
 // Water that reaches 0.05 into the wall: who is there depends on where a ray comes from.
+#version 3.7;
 #include "table.inc"
 #declare Clear = texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel } conserve_energy } }
 difference {

@@ -92,11 +92,10 @@ TEST_CASE("the paper's glass of water, in contact, looks the same in POV-Ray", "
           {povray::Model::contact, 0.0, 5e-5, 0.3, "contact"});
 }
 
-// The examples are busy: far squares of a floor, seen through many surfaces, are edges nearly
-// everywhere.
+// The examples are busy: at this size most pixels have an edge near them, and few are left to see.
 TEST_CASE("the export of every example looks the same in POV-Ray", "[povray]") {
     constexpr int small_width = 80, small_height = 60;
-    const test::Expectation contact{povray::Model::contact, 0.0, 1e-4, 1.0, "contact"};
+    const test::Expectation contact{povray::Model::contact, 0.0, 1e-3, 1.0, "contact"};
     for (const auto& path : test::golden_scenes(EXAMPLES_FOLDER)) {
         const auto scene = test::read_golden(path, small_width, small_height);
         const auto exported = test::export_golden(scene, contact);
