@@ -27,7 +27,7 @@ scene::Scene nested_balls() {
 
 }  // namespace
 
-TEST_CASE("--aa says how far the picture is off, to a fifth", "[tracer]") {
+TEST_CASE("adaptive sampling says how far the picture is off, to a fifth", "[tracer]") {
     const auto scene = GENERATE(checkered_floor(), nested_balls());
     const auto compiled = tracer::compile(scene);
     tracer::Options options;
