@@ -52,8 +52,8 @@ void sort(Crossings& crossings, std::size_t begin) {
 }  // namespace
 
 TriangleMesh::TriangleMesh(TriangleSoup soup) {
-    normals_ = std::move(soup.normals);
     WeldedTriangles welded = weld(std::move(soup));
+    normals_ = std::move(welded.normals);
     stats_.degenerate = welded.degenerate;
     stats_.duplicate_positions = welded.duplicate_positions;
     build_hierarchy(welded);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace meniscus::geom {
 
@@ -67,6 +68,7 @@ void check_normals(const TriangleSoup& soup) {
 WeldedTriangles weld(TriangleSoup soup) {
     check_normals(soup);
     WeldedTriangles result;
+    result.normals = std::move(soup.normals);
     Numbering numbering(soup.positions.size());
     std::vector<std::uint32_t> new_index(soup.positions.size(), none);
     std::size_t used = 0;

@@ -10,6 +10,7 @@ namespace meniscus::geom {
 struct WeldedTriangles {
     std::vector<Vec3> positions;
     std::vector<TriangleIndices> triangles;
+    std::vector<Vec3> normals;
     std::vector<TriangleIndices> corner_normals;  // empty, or the normals' numbers of each triangle
     std::size_t degenerate = 0, duplicate_positions = 0;
 };
