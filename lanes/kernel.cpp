@@ -2,6 +2,9 @@
 
 // Of the instruction sets that Highway knows, those worth their code: AVX-512, AVX2, and plain
 // doubles for everything else.
+#ifdef MENISCUS_PLAIN_LANES
+#define HWY_COMPILE_ONLY_SCALAR
+#endif
 #include <hwy/detect_targets.h>
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
@@ -69,9 +72,13 @@ Counts run(const Program& program, Host& host, RayStack& stack, std::int64_t* su
            const std::string& instruction_set) {
     for (const InstructionSet& set : known_sets) {
         if (!is_usable(set) || (!instruction_set.empty() && instruction_set != set.name)) continue;
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
+        return HWY_STATIC_DISPATCH(run_all)(program, host, stack, sums);
+#else
         hwy::ChosenTarget chosen;
         chosen.Update(set.target);
         return HWY_DISPATCH_TABLE(run_all)[chosen.GetIndex()](program, host, stack, sums);
+#endif
     }
     throw std::invalid_argument("this machine has no instruction set \"" + instruction_set + "\"");
 }
