@@ -1,5 +1,6 @@
 #include "geom/profile.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "geom/polynomial.hpp"
@@ -123,32 +124,35 @@ Vec2 ProfilePiece::normal(double u) const {
 
 Profile::Profile(Spline spline, const std::vector<Vec2>& p) {
     const std::size_t n = p.size();
+    // A curve that ends where it began may be a loop; only a point is dropped.
+    const auto add = [&](const ProfilePiece& piece) {
+        const double rounding = 16.0 * unit_roundoff * glm::length(piece.start);
+        const bool is_point = std::all_of(piece.c.begin() + 1, piece.c.end(), [&](const Vec2& c) {
+            return glm::length(c) <= rounding;
+        });
+        if (!is_point) pieces_.push_back(piece);
+    };
     switch (spline) {
         case Spline::linear:
             require(n >= 2, "a lathe with a linear_spline needs at least two points");
-            for (std::size_t i = 0; i + 1 < n; ++i) {
-                if (p[i] != p[i + 1]) pieces_.push_back(straight_piece(p[i], p[i + 1]));
-            }
+            for (std::size_t i = 0; i + 1 < n; ++i) add(straight_piece(p[i], p[i + 1]));
             break;
         case Spline::quadratic:
             require(n >= 3, "a lathe with a quadratic_spline needs at least three points");
             for (std::size_t i = 1; i + 1 < n; ++i) {
-                if (p[i] != p[i + 1]) pieces_.push_back(quadratic_piece(p[i - 1], p[i], p[i + 1]));
+                add(quadratic_piece(p[i - 1], p[i], p[i + 1]));
             }
             break;
         case Spline::cubic:
             require(n >= 4, "a lathe with a cubic_spline needs at least four points");
             for (std::size_t i = 1; i + 2 < n; ++i) {
-                if (p[i] != p[i + 1]) {
-                    pieces_.push_back(cubic_piece(p[i - 1], p[i], p[i + 1], p[i + 2]));
-                }
+                add(cubic_piece(p[i - 1], p[i], p[i + 1], p[i + 2]));
             }
             break;
         case Spline::bezier:
             require(n >= 4 && n % 4 == 0, "a lathe with a bezier_spline needs four points a piece");
             for (std::size_t i = 0; i + 3 < n; i += 4) {
-                const bool is_point = p[i] == p[i + 1] && p[i] == p[i + 2] && p[i] == p[i + 3];
-                if (!is_point) pieces_.push_back(bezier_piece(p[i], p[i + 1], p[i + 2], p[i + 3]));
+                add(bezier_piece(p[i], p[i + 1], p[i + 2], p[i + 3]));
             }
             break;
     }

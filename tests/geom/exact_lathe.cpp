@@ -57,10 +57,10 @@ public:
                     if (i + 1 < p.size() && p[i] != p[i + 1]) add(linear, i);
                     break;
                 case Spline::quadratic:
-                    if (i + 2 < p.size() && p[i + 1] != p[i + 2]) add(quadratic, i);
+                    if (i + 2 < p.size()) add(quadratic, i);
                     break;
                 case Spline::cubic:
-                    if (i + 3 < p.size() && p[i + 1] != p[i + 2]) add(catmull_rom, i);
+                    if (i + 3 < p.size()) add(catmull_rom, i);
                     break;
                 case Spline::bezier:
                     if (i % 4 == 0) add(bernstein, i);

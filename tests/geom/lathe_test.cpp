@@ -102,6 +102,25 @@ TEST_CASE("a profile is a solid if it closes, alone or with the axis", "[geom]")
     CHECK(Lathe{Spline::cubic, {{1, -9}, {0, 0}, {1, 0.5}, {0, 1}, {1, 9}}}.is_closed());
 }
 
+TEST_CASE("a spline makes a loop between two equal points", "[geom]") {
+    // From (1, 0) to (1, 0): (1, 0) + u (1 - u) / 2 ((1 - u) (1, 1) + u (1, -1)), out to 1.125.
+    const Lathe spindle{Spline::cubic, {{0, -2}, {0, -1}, {1, 0}, {1, 0}, {0, 1}, {0, 2}}};
+    REQUIRE(spindle.is_closed());
+    CHECK(spindle.bounds().high.x == Approx(1.125));
+    CHECK(spindle.contains({1.12, 0.0, 0.0}));
+    CHECK_FALSE(spindle.contains({1.13, 0.0, 0.0}));
+    CHECK(spindle.contains({0.0, 0.0, 0.99}));
+    CHECK_FALSE(spindle.contains({1.12, 0.05, 0.0}));
+    const Crossings found = crossings_of(spindle, {{-5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+    REQUIRE(found.size() >= 2);
+    CHECK(found[0].t == Approx(3.875));
+    CHECK(found.back().t == Approx(6.125));
+    // A quadratic spline goes out and comes back by the same way: nothing is inside.
+    const Lathe spike{Spline::quadratic, {{0, -2}, {0, -1}, {1, 0}, {1, 0}, {0, 1}}};
+    CHECK(spike.bounds().high.x == Approx(1.125));
+    CHECK_FALSE(spike.contains({1.1, 0.1, 0.0}));
+}
+
 TEST_CASE("an open profile is met on both of its sides", "[geom]") {
     const Lathe funnel{Spline::linear, {{0.5, 0.0}, {1.0, 1.0}}};
     Crossings found;

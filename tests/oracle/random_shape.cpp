@@ -32,12 +32,10 @@ geom::Lathe random_lathe(Random& random) {
         case 3:
             return geom::Lathe(geom::Spline::bezier, {{0.0, -h}, {r, -h}, {r, h}, {0.0, h}});
         case 4:
-            return geom::Lathe(geom::Spline::cubic, {{0.0, -h - 0.5},
-                                                     {0.0, -h},
-                                                     {r, -0.5 * h},
-                                                     {s, 0.5 * h},
-                                                     {0.0, h},
-                                                     {0.0, h + 0.5}});
+            // With h = 0.5 and r = s two neighbours are equal: a loop.
+            return geom::Lathe(
+                geom::Spline::cubic,
+                {{0.0, -h - 0.5}, {0.0, -h}, {r, 0.5 - h}, {s, h - 0.5}, {0.0, h}, {0.0, h + 0.5}});
         default:
             return geom::Lathe(geom::Spline::quadratic,
                                {{0.0, -h - 0.5}, {0.0, -h}, {r, 0.0}, {s, h}, {0.0, h}});
