@@ -110,18 +110,6 @@ double ProfilePiece::nearest(const Vec2& p) const {
     return best;
 }
 
-Vec2 ProfilePiece::normal(double u) const {
-    Vec2 along = straight ? end - start : tangent(u);
-    // At a cusp: the direction just inside the piece.
-    const double scale = glm::length(high - low);
-    for (double step = 1e-6; glm::length(along) < 1e-9 * scale && step < 0.1; step *= 10.0) {
-        along = tangent(u < 0.5 ? u + step : u - step);
-    }
-    const double length = glm::length(along);
-    if (!(length > 0.0)) return {outward, 0.0};
-    return outward * Vec2{along.y, -along.x} / length;
-}
-
 Profile::Profile(Spline spline, const std::vector<Vec2>& p) {
     const std::size_t n = p.size();
     // A curve that ends where it began may be a loop; only a point is dropped.
@@ -175,7 +163,7 @@ Profile::Profile(Spline spline, const std::vector<Vec2>& p) {
     }
 
     close_chains();
-    for (std::size_t i = 0; i < pieces_.size(); ++i) add_stretches(i);
+    cut_into_arcs();
     if (closed_) {
         for (ProfilePiece& piece : pieces_) find_outward_side(piece);
     }
@@ -196,68 +184,79 @@ void Profile::close_chains() {
         Vec2 &start = pieces_[first].start, &end = pieces_[last].end;
         if (same(start, end)) {
             end = start;
-        } else if (!(glm::abs(start.x) <= rounding && glm::abs(end.x) <= rounding)) {
+        } else if (glm::abs(start.x) <= rounding && glm::abs(end.x) <= rounding) {
+            start.x = end.x = 0.0;
+        } else {
             closed_ = false;
         }
     }
 }
 
-void Profile::add_stretches(std::size_t index) {
-    const ProfilePiece& piece = pieces_[index];
-    Roots stops = still_points(piece, 1);
-    stops.push_back(1.0);
-    double from = 0.0, y_from = piece.start.y;
-    for (std::size_t i = 0; i < stops.size(); ++i) {
-        const double to = stops[i];
-        const double y_to = i + 1 == stops.size() ? piece.end.y : piece.at(to).y;
-        Stretch stretch{index, from, to, y_from, y_to, 0.0, 0.0};
-        const double x0 = from == 0.0 ? piece.start.x : piece.at(from).x;
-        const double x1 = to == 1.0 ? piece.end.x : piece.at(to).x;
-        stretch.least_x = glm::min(x0, x1);
-        stretch.greatest_x = glm::max(x0, x1);
-        for (const double u : still_points(piece, 0)) {
-            if (u > from && u < to) {
-                stretch.least_x = glm::min(stretch.least_x, piece.at(u).x);
-                stretch.greatest_x = glm::max(stretch.greatest_x, piece.at(u).x);
-            }
+void Profile::cut_into_arcs() {
+    std::vector<ProfileArc> cut;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        cut.clear();
+        append_arcs(pieces_[i], static_cast<Face>(i), cut);
+        first_arc_.push_back(arcs_.size());
+        for (const ProfileArc& arc : cut) {
+            if (!arcs_.empty() && arcs_.back().end != arc.start) arcs_.emplace_back();
+            arcs_.push_back(arc);
         }
-        stretches_.push_back(stretch);
-        from = to;
-        y_from = y_to;
     }
+    first_arc_.push_back(arcs_.size());
 }
 
 bool Profile::contains(const Vec2& p) const {
     bool inside = false;
-    for (const Stretch& s : stretches_) {
+    for (const ProfileArc& arc : arcs_) {
         // Half open, so that a line through a joint counts once.
-        if ((s.y_from <= p.y) == (s.y_to <= p.y) || p.x >= s.greatest_x) continue;
-        if (p.x >= s.least_x) {
-            const ProfilePiece& piece = pieces_[s.piece];
-            if (piece.straight) {
-                const Vec2 along = piece.end - piece.start, e = p - piece.start;
-                const double side = along.x * e.y - along.y * e.x;
-                if (!(along.y > 0.0 ? side > 0.0 : side < 0.0)) continue;
-            } else {
-                auto height = component(piece.c, 1);
-                height[0] -= p.y;
-                const double u = root_in_bracket(height, s.from, s.to, s.y_from < s.y_to);
-                if (p.x >= piece.at(u).x) continue;
-            }
+        if ((arc.start.y <= p.y) == (arc.end.y <= p.y)) continue;
+        if (p.x >= glm::max(arc.start.x, arc.end.x)) continue;
+        if (p.x >= glm::min(arc.start.x, arc.end.x)) {
+            double v = 0.0;
+            if (!(arc.height(p) < arc.rise_at(arc.way(p), v).value)) continue;
         }
         inside = !inside;
     }
     return inside;
 }
 
+Profile::Foot Profile::foot(Face piece, const Vec2& p) const {
+    const auto index = static_cast<std::size_t>(piece);
+    Foot best{{1.0, 0.0}, 0.0};
+    double least = infinity;
+    for (std::size_t i = first_arc_[index]; i < first_arc_[index + 1]; ++i) {
+        const ProfileArc& arc = arcs_[i];
+        if (arc.kind == ProfileArc::Kind::gap) continue;
+        const double s = arc.way(p), on_arc = glm::clamp(s, 0.0, arc.length);
+        double v = 0.0;
+        const auto [rise, slope] = arc.rise_at(on_arc, v);
+        const double beside = arc.height(p) - (rise + slope * (s - on_arc));
+        const double far = glm::abs(beside) + glm::abs(s - on_arc);
+        if (far >= least) continue;
+        least = far;
+        // `outward` says which side of the piece's own direction is out.
+        const bool is_right = arc.normal.x * arc.chord.y - arc.normal.y * arc.chord.x > 0.0;
+        const double side = pieces_[index].outward * (is_right ? 1.0 : -1.0);
+        const double per_length = side / glm::sqrt(1.0 + slope * slope);
+        best = {per_length * (arc.normal - slope * arc.chord), per_length * beside};
+        if (far <= 8.0 * unit_roundoff * magnitude()) break;
+    }
+    return best;
+}
+
 void Profile::find_outward_side(ProfilePiece& piece) const {
     piece.outward = 1.0;
-    for (const double step : {1e-7, 1e-5, 1e-3, 1e-9}) {
+    // The last ones are for what is thinner than a hair.
+    for (const double step : {1e-7, 1e-5, 1e-3, 1e-9, 1e-11, 1e-13, 1e-15, 1e-17}) {
         for (const double u : {0.5, 0.3, 0.7, 0.1, 0.9}) {
-            const Vec2 p = piece.at(u), n = step * size_ * piece.normal(u);
-            const bool inside_left = contains(p + n), inside_right = contains(p - n);
-            if (inside_left == inside_right) continue;
-            if (inside_left) piece.outward = -1.0;
+            const Vec2 along = piece.tangent(u);
+            const double length = glm::length(along);
+            if (!(length > 0.0)) continue;
+            const Vec2 p = piece.at(u), n = step * size_ / length * Vec2{along.y, -along.x};
+            const bool inside_right = contains(p + n), inside_left = contains(p - n);
+            if (inside_right == inside_left) continue;
+            if (inside_right) piece.outward = -1.0;
             return;
         }
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geom/lathe.hpp"
+#include "geom/profile_arc.hpp"
 #include "geom/profile_line.hpp"
 
 namespace meniscus::geom {
@@ -22,8 +23,6 @@ struct ProfilePiece {
     Vec2 tangent(double u) const { return (3.0 * c[3] * u + 2.0 * c[2]) * u + c[1]; }
     /// The parameter of the point nearest to `p`.
     double nearest(const Vec2& p) const;
-    /// The unit normal at u, on the outer side.
-    Vec2 normal(double u) const;
 };
 
 /// The curve that a lathe turns.
@@ -38,25 +37,31 @@ public:
     const Vec2& high() const { return high_; }
     double size() const { return size_; }
 
+    /// The largest coordinate.
+    double magnitude() const { return glm::max(high_.x, glm::max(-low_.y, high_.y)); }
+
+    /// The pieces cut up, in order, with a gap between chains.
+    const std::vector<ProfileArc>& arcs() const { return arcs_; }
+
     /// Even-odd: whether an outward line at the point's height crosses the curve an odd number of
     /// times.
     bool contains(const Vec2& p) const;
 
-private:
-    /// A stretch of a piece along which the height only rises or only falls.
-    struct Stretch {
-        std::size_t piece;
-        double from, to;      // u
-        double y_from, y_to;  // the same where stretches meet
-        double least_x, greatest_x;
+    /// The outward unit normal of a piece next to a point, and how far the point lies out there.
+    struct Foot {
+        Vec2 normal;
+        double distance;
     };
+    Foot foot(Face piece, const Vec2& p) const;
 
+private:
     void close_chains();
-    void add_stretches(std::size_t piece);
+    void cut_into_arcs();
     void find_outward_side(ProfilePiece& piece) const;
 
     std::vector<ProfilePiece> pieces_;
-    std::vector<Stretch> stretches_;
+    std::vector<ProfileArc> arcs_;
+    std::vector<std::size_t> first_arc_;  // of each piece, and the end of the last
     Vec2 low_, high_;
     double size_ = 0.0;
     bool closed_ = false;

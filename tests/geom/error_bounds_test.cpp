@@ -7,23 +7,14 @@ namespace meniscus::geom {
 namespace {
 
 /// c of |error of t| |d.n| <= c u M, as docs/numerics.md states it.
-double bound(Kind kind) {
-    switch (kind) {
-        case Kind::lathe_quadratic:
-        case Kind::lathe_cubic:
-        case Kind::lathe_bezier:
-            return 0x1p15;  // chords this thin may be missed by lines nearly across the axis
-        default:
-            return 8.0;
-    }
-}
+constexpr double bound = 8.0;
 
 void check(Kind kind, int lines) {
     for (const Placement placement : all_placements) {
         const Census found = census(kind, placement, lines, 1);
         INFO(name(kind) << ", " << name(placement) << ", " << found.crossings << " crossings");
         CHECK(found.crossings > found.lines / 4);
-        CHECK(found.worst <= bound(kind));
+        CHECK(found.worst <= bound);
     }
 }
 
