@@ -140,12 +140,12 @@ bool Cone::contains(const Vec3& p) const {
            side_line(*this, axis.length).distance(glm::length(local.across), local.along) < 0.0;
 }
 
-Vec3 Cone::normal(Face face, const Vec3& p) const {
+Vec3 Cone::normal(Face face, const Ray& point) const {
     const Axis axis(base, cap);
     if (face == base_face) return -axis.direction;
     if (face == cap_face) return axis.direction;
     const ProfileLine side = side_line(*this, axis.length);
-    return glm::normalize(side.a * unit_across(AxialPoint(p - axis.base, axis), axis) +
+    return glm::normalize(side.a * unit_across(AxialPoint(point.from(axis.base), axis), axis) +
                           side.b * axis.direction);
 }
 

@@ -71,11 +71,11 @@ bool Cylinder::contains(const Vec3& p) const {
            glm::dot(local.across, local.across) < radius * radius;
 }
 
-Vec3 Cylinder::normal(Face face, const Vec3& p) const {
+Vec3 Cylinder::normal(Face face, const Ray& point) const {
     const Axis axis(base, cap);
     if (face == base_face) return -axis.direction;
     if (face == cap_face) return axis.direction;
-    return unit_across(AxialPoint(p - axis.base, axis), axis);
+    return unit_across(AxialPoint(point.from(axis.base), axis), axis);
 }
 
 Vec3 Cylinder::to_face(Face face, const Ray& point) const {

@@ -26,7 +26,9 @@ struct Cylinder {
     Interval interval(const Ray& ray, Face pin) const;
     void hits(const Ray& ray, Crossings& out) const;
     bool contains(const Vec3& p) const;
-    Vec3 normal(Face face, const Vec3& p) const;
+    Vec3 normal(Face face, const Vec3& p) const { return normal(face, Ray{p}); }
+    /// At the point's exact origin.
+    Vec3 normal(Face face, const Ray& point) const;
     Vec3 to_face(Face face, const Ray& point) const;
 };
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "geom/cylindrical.hpp"
+
 namespace meniscus::geom {
 
 namespace {
@@ -98,6 +100,33 @@ bool take_in(Other&, const Transform&) {
     return false;
 }
 
+std::optional<Anchor> own_anchor(const Sphere& sphere) {
+    return Anchor{.kind = Anchor::Kind::center, .point = sphere.center, .size = sphere.radius};
+}
+
+template <class Round>
+requires requires(Round r) { r.base, r.cap; }
+std::optional<Anchor> own_anchor(const Round& shape) {
+    const Axis axis(shape.base, shape.cap);
+    double radius = 0.0;
+    if constexpr (requires { shape.radius; }) {
+        radius = shape.radius;
+    } else {
+        radius = glm::max(shape.base_radius, shape.cap_radius);
+    }
+    return Anchor{.kind = Anchor::Kind::axis,
+                  .point = axis.base,
+                  .direction = axis.direction,
+                  .size = axis.length + radius,
+                  .face = Round::side_face};
+}
+
+/// Those whose numbers are coordinates: they share nothing but the origin.
+template <class Other>
+std::optional<Anchor> own_anchor(const Other&) {
+    return std::nullopt;
+}
+
 Shape taken_in(Shape shape, Transform& transform) {
     if (transform.is_identity()) return shape;
     if (std::visit([&](auto& s) { return take_in(s, transform); }, shape)) transform = Transform{};
@@ -116,6 +145,16 @@ PlacedShape::PlacedShape(Shape shape, const Transform& transform)
     if (!transform_.is_identity()) {
         magnitude_ = magnitude_ * transform_.largest_scale() + 2.0 * max_abs(transform_.shift());
     }
+}
+
+std::optional<Anchor> PlacedShape::anchor() const {
+    if (!transform_.is_identity()) {
+        return Anchor{.kind = Anchor::Kind::frame,
+                      .point = transform_.shift(),
+                      .frame = transform_,
+                      .size = geom::magnitude(shape_) * transform_.largest_scale()};
+    }
+    return std::visit([](const auto& s) { return own_anchor(s); }, shape_);
 }
 
 Interval PlacedShape::interval(const Ray& ray, Face pin) const {
@@ -146,15 +185,16 @@ std::optional<Crossing> PlacedShape::crossing_of(Face face, const Ray& ray) cons
     return geom::crossing_of(shape_, face, transform_.to_local(ray));
 }
 
-Vec3 PlacedShape::normal(Face face, const Vec3& p) const {
-    if (transform_.is_identity()) return geom::normal(shape_, face, p);
-    return glm::normalize(transform_.normal(geom::normal(shape_, face, transform_.to_local(p))));
+Vec3 PlacedShape::normal(Face face, const Ray& point) const {
+    if (transform_.is_identity()) return geom::normal(shape_, face, point);
+    return glm::normalize(
+        transform_.normal(geom::normal(shape_, face, transform_.to_local(point))));
 }
 
-Vec3 PlacedShape::shading_normal(Face face, const Vec3& p) const {
-    if (transform_.is_identity()) return geom::shading_normal(shape_, face, p);
+Vec3 PlacedShape::shading_normal(Face face, const Ray& point) const {
+    if (transform_.is_identity()) return geom::shading_normal(shape_, face, point);
     return glm::normalize(
-        transform_.normal(geom::shading_normal(shape_, face, transform_.to_local(p))));
+        transform_.normal(geom::shading_normal(shape_, face, transform_.to_local(point))));
 }
 
 Vec3 PlacedShape::to_face(Face face, const Ray& point) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "geom/anchor.hpp"
 #include "geom/shape.hpp"
 #include "geom/transform.hpp"
 
@@ -23,6 +26,8 @@ public:
     /// m_S in world units: the local magnitude under the largest scale, plus twice the largest
     /// shift.
     double magnitude() const { return magnitude_; }
+    /// What the shape shares with others about the same centre or axis or in the same frame.
+    std::optional<Anchor> anchor() const;
 
     Interval interval(const Ray& ray, Face pin) const;
     void crossings(const Ray& ray, Crossings& out) const;
@@ -31,8 +36,11 @@ public:
     bool crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
                          Crossings& out) const;
     std::optional<Crossing> crossing_of(Face face, const Ray& ray) const;
-    Vec3 normal(Face face, const Vec3& p) const;
-    Vec3 shading_normal(Face face, const Vec3& p) const;
+    /// At the point's exact origin.
+    Vec3 normal(Face face, const Ray& point) const;
+    Vec3 normal(Face face, const Vec3& p) const { return normal(face, Ray{p}); }
+    Vec3 shading_normal(Face face, const Ray& point) const;
+    Vec3 shading_normal(Face face, const Vec3& p) const { return shading_normal(face, Ray{p}); }
     /// As the shape's: the way from `point`'s exact origin to the face.
     Vec3 to_face(Face face, const Ray& point) const;
     Vec3 on_face(Face face, const Vec3& p) const { return p + to_face(face, Ray{p}); }

@@ -78,17 +78,25 @@ std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ra
     return mesh ? mesh->crossing_of(face, ray) : std::nullopt;
 }
 
-Vec3 normal(const Shape& shape, Face face, const Vec3& p) {
-    return std::visit([&](const auto& s) { return s.normal(face, p); }, shape);
-}
-
-Vec3 shading_normal(const Shape& shape, Face face, const Vec3& p) {
+Vec3 normal(const Shape& shape, Face face, const Ray& point) {
     return std::visit(
         [&](const auto& s) {
-            if constexpr (requires { s.shading_normal(face, p); }) {
-                return s.shading_normal(face, p);
+            if constexpr (requires { s.normal(face, point); }) {
+                return s.normal(face, point);
             } else {
-                return s.normal(face, p);
+                return s.normal(face, point.at(0.0));
+            }
+        },
+        shape);
+}
+
+Vec3 shading_normal(const Shape& shape, Face face, const Ray& point) {
+    return std::visit(
+        [&](const auto& s) {
+            if constexpr (requires { s.shading_normal(face, point.origin); }) {
+                return s.shading_normal(face, point.at(0.0));
+            } else {
+                return normal(shape, face, point);
             }
         },
         shape);

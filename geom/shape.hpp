@@ -60,10 +60,10 @@ bool crossings_ahead(const Shape& shape, const Ray& ray, const Search& search,
 /// Where the whole line crosses one face of a mesh, if it does. Nothing for other shapes.
 std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ray);
 
-/// The outward unit normal of a face at a point of it.
-Vec3 normal(const Shape& shape, Face face, const Vec3& p);
+/// The outward unit normal of a face at a point of it, by the point's exact origin.
+Vec3 normal(const Shape& shape, Face face, const Ray& point);
 /// The normal to shade with: interpolated on smooth triangles, else the same. Unit length.
-Vec3 shading_normal(const Shape& shape, Face face, const Vec3& p);
+Vec3 shading_normal(const Shape& shape, Face face, const Ray& point);
 /// The way from `point`'s exact origin to the nearest point of the face, of which it is within
 /// rounding. Its digits begin where those of the origin end.
 Vec3 to_face(const Shape& shape, Face face, const Ray& point);

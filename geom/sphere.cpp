@@ -25,8 +25,8 @@ bool Sphere::contains(const Vec3& p) const {
     return glm::dot(e, e) < radius * radius;
 }
 
-Vec3 Sphere::normal(Face, const Vec3& p) const {
-    const Vec3 e = p - center;
+Vec3 Sphere::normal(Face, const Ray& point) const {
+    const Vec3 e = point.from(center);
     const double length = glm::length(e);
     return length > 0.0 ? e / length : Vec3{0.0, 1.0, 0.0};
 }

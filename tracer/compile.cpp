@@ -66,6 +66,9 @@ RenderScene compile(scene::Scene source) {
     if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
     result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
 
+    find_anchors(result);
+    if (result.anchors.empty())
+        result.skipped.emplace_back("no thin film far from the origin: one contact tolerance");
     if (!result.has_members) result.skipped.emplace_back("no dielectric: no interior lists");
     if (!result.has_attenuation) result.skipped.emplace_back("no absorption: no exponentials");
     if (scene.lights.empty()) result.skipped.emplace_back("no light: no shadow rays");

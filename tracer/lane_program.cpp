@@ -19,10 +19,6 @@ struct CannotHave {
 /// Spheres smaller than this share of the scene stand in groups where there are many.
 constexpr double small_sphere = 0.25;
 constexpr std::size_t few_solids = 8;
-/// Sizes of the smallest solid between it and the origin, up to which a point needs no second
-/// vector to keep its digits (docs/numerics.md).
-constexpr double far_from_origin = 1e4;
-
 /// Tolerances that differ by no more than this factor make the same picture (docs/numerics.md).
 constexpr double alike_magnitudes = 8.0;
 
@@ -160,6 +156,7 @@ void check_parts(const RenderScene& scene) {
     }
     if (farthest > far_from_origin * smallest)
         throw CannotHave{"solids too far from the origin for their size"};
+    if (!scene.anchors.empty()) throw CannotHave{"thin films far from the origin"};
 }
 
 lanes::Member make_member(const RenderScene& scene, int index,

@@ -37,7 +37,7 @@ Event EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner
     event.origin.origin_error += part.shape.to_face(owner.face, event.origin);
     event.solid_before = before.top_solid(scene_);
     event.solid_after = after.top_solid(scene_);
-    event.normal = part.shape.normal(owner.face, event.origin.origin);
+    event.normal = part.shape.normal(owner.face, event.origin);
     if (part.inverse) event.normal = -event.normal;
     event.magnitude = offers_.magnitude(ray, owner.part, t);
     return event;

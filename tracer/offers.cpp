@@ -23,6 +23,16 @@ double Offers::start_magnitude(const TracedRay& ray, const Part& part) const {
     return std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
 }
 
+double Offers::magnitude(const TracedRay& ray, const Offer& a, const Offer& b) const {
+    const int index = scene_.parts[a.part].anchor;
+    if (index != no_anchor && index == scene_.parts[b.part].anchor) {
+        const SharedAnchor& anchor = scene_.anchors[std::size_t(index)];
+        if (anchor.face == geom::no_face || (a.face == anchor.face && b.face == anchor.face))
+            return geom::max_abs(ray.ray.from(anchor.point)) + std::max(a.t, b.t) + anchor.size;
+    }
+    return std::max(magnitude(ray, a.part, a.t), magnitude(ray, b.part, b.t));
+}
+
 /// Whether the crossing is within `tolerance` of the origin, along the normal.
 bool Offers::is_at_start(const TracedRay& ray, const Part& part, const geom::Crossing& crossing,
                          double tolerance) const {
@@ -112,7 +122,8 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     if (!interval.hit || !(interval.t1 > 0.0) || interval.t0 > t_max) return;
     const double start = std::max(interval.t0, 0.0);
     const double chord = interval.t1 - start;
-    const double magnitude = this->magnitude(ray, index, start);
+    const double magnitude = this->magnitude(ray, {start, index, interval.face0, true},
+                                             {interval.t1, index, interval.face1, false});
     // A chord that is thinner than the tolerance is a touch: no crossing, rather than two in one
     // place.
     const double thin = std::max(1e-6 * magnitude, 2.0 * scene_.contact_tolerance);

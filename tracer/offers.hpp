@@ -51,6 +51,8 @@ public:
     double magnitude(const TracedRay& ray, int part, double t) const {
         return geom::max_abs(ray.ray.origin) + t + scene_.parts[part].shape.magnitude();
     }
+    /// M of two crossings that are compared: from the anchor that they share, if they do.
+    double magnitude(const TracedRay& ray, const Offer& a, const Offer& b) const;
 
 private:
     void collect_convex(const TracedRay& ray, const Part& part, int index, const Contact* contact,

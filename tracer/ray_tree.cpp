@@ -218,7 +218,7 @@ void RayTree::branch(Pending& parent, std::optional<Pending> reflected, const Rg
 void RayTree::shade_clear(Pending& pending, const Event& event, int node) {
     const Vec3& direction = pending.ray.ray.direction;
     const Part& part = scene_.parts[event.part];
-    Vec3 normal = part.shape.shading_normal(event.face, event.origin.origin);
+    Vec3 normal = part.shape.shading_normal(event.face, event.origin);
     if (glm::dot(normal, direction) > 0.0) normal = -normal;
     const double eta =
         medium(scene_, event.solid_before).ior / medium(scene_, event.solid_after).ior;

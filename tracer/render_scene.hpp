@@ -11,6 +11,7 @@
 namespace meniscus::tracer {
 
 inline constexpr int outside = -1;
+inline constexpr int no_anchor = -1;
 
 /// A solid's share in the scene that rays meet: one placed shape.
 struct Part {
@@ -23,14 +24,25 @@ struct Part {
     bool inverse;
     bool no_shadow, no_image, no_reflection;
     bool double_illuminate;
+    int anchor = no_anchor;  // index into the scene's anchors
+};
+
+/// What several parts share that lie far from the origin for their size, with thin films between
+/// them: crossings of two such parts are compared by their distance from `point`, not from the
+/// origin of coordinates (docs/numerics.md, "Far from the origin").
+struct SharedAnchor {
+    geom::Vec3 point;
+    double size;      // how far from the point the largest of the parts reaches
+    geom::Face face;  // of the parts, for which it holds; no_face: all
 };
 
 /// A scene made ready for rays; it never changes afterwards.
 struct RenderScene {
     scene::Scene source;
     std::vector<Part> parts;
-    geom::Bvh bvh;                   // over the finite parts
-    std::vector<int> bvh_parts;      // bvh primitive -> part
+    geom::Bvh bvh;               // over the finite parts
+    std::vector<int> bvh_parts;  // bvh primitive -> part
+    std::vector<SharedAnchor> anchors;
     std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
     double size = 1.0;               // of the finite parts' bounds
     double tolerance_units = 16.0;   // the rounding bound of contact, in u M (docs/numerics.md)
@@ -41,5 +53,12 @@ struct RenderScene {
 };
 
 RenderScene compile(scene::Scene scene);
+
+/// How many of its own sizes a solid may lie from the origin before its points need a second vector
+/// to keep their digits.
+inline constexpr double far_from_origin = 1e4;
+
+/// Finds the anchors that the scene asks for. `scene`'s parts and size are complete.
+void find_anchors(RenderScene& scene);
 
 }  // namespace meniscus::tracer

@@ -61,7 +61,7 @@ void RayTree::shade_textured(Pending& pending, const Event& event, int node, Rgb
     Shading shading;
     shading.lights = std::move(spare_lights_);
     shade(scene_, pending.ray.ray.direction, event,
-          scene_.parts[event.part].shape.shading_normal(event.face, event.origin.origin),
+          scene_.parts[event.part].shape.shading_normal(event.face, event.origin),
           tree_ == Tree::whitted ? std::optional(min_weight_) : std::nullopt, pending.key, shading);
     Rgb own = shading.own;
     for (const LightTerm& term : shading.lights) {

@@ -57,8 +57,7 @@ void EventFinder::gather_group(const TracedRay& ray, std::size_t begin, std::siz
     group_.clear();
     if (pivot_index == found_.size()) return;
     const Offer& pivot = found_[pivot_index];
-    const double pivot_magnitude = offers_.magnitude(ray, pivot.part, pivot.t);
-    const double farthest = reach(scene_, pivot.t, pivot_magnitude);
+    const double farthest = reach(scene_, pivot.t, offers_.magnitude(ray, pivot.part, pivot.t));
     double pivot_cosine = -1.0;  // not yet known
     for (std::size_t i = begin; i < found_.size() && found_[i].t <= farthest; ++i) {
         if (used_[i]) continue;
@@ -66,8 +65,7 @@ void EventFinder::gather_group(const TracedRay& ray, std::size_t begin, std::siz
         const double distance = std::abs(offer.t - pivot.t);
         if (distance > farthest - pivot.t) continue;
         if (distance > 0.0) {
-            const double magnitude =
-                std::max(pivot_magnitude, offers_.magnitude(ray, offer.part, offer.t));
+            const double magnitude = offers_.magnitude(ray, pivot, offer);
             if (pivot_cosine < 0.0) pivot_cosine = cosine(ray, pivot);
             if (distance * std::max(pivot_cosine, cosine(ray, offer)) >
                 tolerance(scene_, magnitude))

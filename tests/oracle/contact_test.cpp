@@ -121,10 +121,7 @@ TEST_CASE("water at the wall of its glass and water that reaches into it are the
 
     const auto a = rendered(at_wall, picture), b = rendered(into_wall, picture);
     const Tracer<Quad> exact(at_wall, picture.limits);
-    // Found to hold far away, not derived: docs/numerics.md.
-    const double bound = geom::max_abs(place.offset) > 0.0
-                             ? 1e-4
-                             : 4.0 * double(std::numeric_limits<float>::epsilon());
+    const double bound = 4.0 * double(std::numeric_limits<float>::epsilon());
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             double difference = 0.0;
