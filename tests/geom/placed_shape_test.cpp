@@ -56,7 +56,7 @@ TEST_CASE("a mirrored triangle is met from the same side as before", "[geom]") {
     REQUIRE(before.size() == 1);
     REQUIRE(after.size() == 1);
     CHECK(before[0].entering == after[0].entering);
-    CHECK(mirrored.normal(0, {}).z == Triangle{}.normal(0, {}).z);
+    CHECK(mirrored.normal(0, Vec3{0.0}).z == Triangle{}.normal(0, {}).z);
 }
 
 }  // namespace meniscus::geom
