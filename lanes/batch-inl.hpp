@@ -28,9 +28,13 @@ using Words = Column<std::uint64_t>;
 
 /// Calls visit(lane) for each lane of a mask.
 template <class Visit>
-HWY_INLINE void for_each(M mask, Visit&& visit) {
-    for (std::uint32_t left = bits(mask); left; left &= left - 1)
+HWY_INLINE void for_each(std::uint32_t lane_bits, Visit&& visit) {
+    for (std::uint32_t left = lane_bits; left; left &= left - 1)
         visit(std::size_t(__builtin_ctz(left)));
+}
+template <class Visit>
+HWY_INLINE void for_each(M mask, Visit&& visit) {
+    for_each(bits(mask), visit);
 }
 
 /// All rays as numbers.
@@ -53,7 +57,7 @@ struct Line3 {
 
 /// A list of each lane's ray: a bit for each place.
 struct List {
-    U low, high;  // places below 64, and the rest
+    U word[list_words];  // as many as the program has
 };
 
 /// A stretch of one lane's ray inside a small sphere.
@@ -67,7 +71,7 @@ struct SphereStretches {
     int size = 0;
 };
 
-/// The solid on top of each ray's list, and what it is made of.
+/// The solid on top of each ray's list, and what it is made of, so far as the program asks.
 struct Top {
     F rank;  // `no_rank`: outside of all
     F ior, medium;
@@ -83,12 +87,14 @@ struct Top {
           attenuates(outside.attenuates ? !no_lanes() : no_lanes()) {}
 
     /// Where `which`, the solid at `solid_rank` is on top of those so far.
-    HWY_INLINE void cover(M which, int solid_rank, const Member& member) {
+    HWY_INLINE void cover(M which, int solid_rank, const Program& program) {
+        const Member& member = program.members[std::size_t(solid_rank)];
         rank = select(which, F(double(solid_rank)), rank);
         ior = select(which, F(member.ior), ior);
-        medium = select(which, F(double(member.medium)), medium);
-        dressed = member.clear ? but_not(dressed, which) : dressed | which;
-        attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
+        if (!program.ior_tells_medium) medium = select(which, F(double(member.medium)), medium);
+        if (program.has_dressed) dressed = member.clear ? but_not(dressed, which) : dressed | which;
+        if (program.attenuates)
+            attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
     }
 };
 
@@ -97,7 +103,7 @@ struct Batch {
     // As they set out.
     Rays rays;
     F3 throughput;
-    F weight, way_before, top;
+    F weight, way_before;
     U code, key, sphere_contacts;
     List inside;
     M is_shadow, is_mirrored;
@@ -105,6 +111,7 @@ struct Batch {
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any
     SphereStretches spheres[lanes];
+    std::uint32_t near_spheres = 0;  // lanes that have some
     // The nearest crossing that is true.
     F nearest, pivot_magnitude;
     M unsure;  // too close to call
@@ -115,7 +122,7 @@ struct Batch {
     F surface, surface_face;  // index of the solid that is always met
     U contacts;
     F false_crossings;
-    Words sphere_contacts_after;
+    U sphere_contacts_after;
 };
 
 /// The stretch of a ray in one small sphere, as `sphere_span` and `resolve` have it for lanes;

@@ -46,9 +46,12 @@ private:
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch);
-    HWY_INLINE void make_lists(Batch& batch, Top& before, Top& after);
-    HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
-                                       Top& after);
+    HWY_INLINE void find_event(Batch& batch, Top& before, Top& after);
+    template <bool exact>
+    HWY_INLINE bool make_lists(Batch& batch, Top& before, Top& after);
+    template <bool exact>
+    HWY_INLINE M list_small_spheres(Batch& batch, F low_bound, F high_bound, F pivot, F reach,
+                                    M crossed, M& torn, Top& before, Top& after);
     HWY_INLINE void hand_over(Batch& batch);
     HWY_INLINE void attenuate(Batch& batch, M which, const Top& before);
     HWY_INLINE void arrive(const Batch& batch, M gone, const Top& before);
@@ -72,6 +75,9 @@ private:
     RayStack& stack_;
     std::int64_t* sums_;
     Counts counts_;
+    // How often crossings lay together of late: steps to go without trying a coarse bound first.
+    static constexpr int crowded_cost = 8, most_crowded = 16;
+    int crowded_ = 0;
     std::vector<double> magnitudes_;             // of grouped spheres, by rank
     std::uint64_t group_bits_[list_words] = {};  // their places
 };

@@ -38,7 +38,8 @@ struct InstructionSet {
 constexpr InstructionSet known_sets[] = {{"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"plain", 0}};
 
 bool is_usable(const InstructionSet& set) {
-    return set.target == 0 || (hwy::SupportedTargets() & set.target & HWY_TARGETS) != 0;
+    static const std::int64_t supported = hwy::SupportedTargets();
+    return set.target == 0 || (supported & set.target & HWY_TARGETS) != 0;
 }
 
 }  // namespace
@@ -62,7 +63,6 @@ WaitingRay Surface::next(const geom::Vec3& direction, bool behind) const {
                   (std::uint64_t(level) << RayCode::level_shift);
     result.key = ray.key;
     result.inside = behind ? after : before;
-    result.top = behind ? rank_after : rank_before;
     result.contacts = contacts;
     result.sphere_contacts = sphere_contacts;
     return result;

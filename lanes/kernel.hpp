@@ -17,7 +17,7 @@ struct Surface {
     int part = -1, face = 0;             // whose surface
     bool is_member = false;              // false: a surface that is always met
     int rank_before = no_rank, rank_after = no_rank;
-    std::array<std::uint64_t, list_words> before{}, after{};
+    Places before{}, after{};
     std::uint64_t contacts = 0, sphere_contacts = 0;
     double magnitude = 0.0;  // M at the point
     int level = 0;

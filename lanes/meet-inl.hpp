@@ -33,21 +33,23 @@ HWY_INLINE void Kernel::find_stretches(Batch& batch) {
 HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
-    const U bit(1ull << (solid.place % 64));
-    const M listed = !(((solid.place < 64 ? batch.inside.low : batch.inside.high) & bit) == U(0));
+    const std::size_t word = std::size_t(solid.place / 64);
+    const M listed = shares(batch.inside.word[word], U(1ull << (solid.place % 64)));
     const U contact = contact_of(rays, int(i));
-    const M has_contact = !(contact == U(0));
+    const M has_contact = shares(contact, U(15));
     const M in_shape = solid.inverse ? !listed : listed;
-    const M known = solid.rank >= 0 ? !no_lanes() : has_contact;
+    // What stands in no list is judged by place, but where the ray was born on it.
+    const bool is_member = solid.rank >= 0;
     const std::size_t first = 2 * i, end = first + (has_two_stretches(solid.kind) ? 2 : 1);
     Stretch* const stretches = batch.stretches;
 
     M unsure = no_lanes();
     batch.is_near[i] = true;
     if (solid.kind == Kind::lathe) {
-        lathe_stretches(program_, solid, rays, known, in_shape, stretches[first],
-                        stretches[first + 1], unsure);
+        lathe_stretches(program_, solid, rays, is_member ? !no_lanes() : has_contact, in_shape,
+                        stretches[first], stretches[first + 1], unsure);
     } else if (solid.kind == Kind::other) {
+        const M known = is_member ? !no_lanes() : has_contact;
         const LatheCrossings found = ask_crossings(
             batch, solid,
             near_foreign(solid, rays, (known & in_shape) | has_contact, batch.nearest), unsure);
@@ -68,16 +70,16 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
             case Kind::half_space:
                 span = half_space_span(solid, rays, contact);
                 break;
-            default:
-                span = ask_span(
-                    batch, solid, contact,
-                    near_foreign(solid, rays, (known & in_shape) | has_contact, batch.nearest));
+            default: {
+                const M named = is_member ? in_shape | has_contact : has_contact;
+                span = ask_span(batch, solid, contact,
+                                near_foreign(solid, rays, named, batch.nearest));
+            }
         }
-        batch.is_near[i] = any(rays.active & (span.hit | (known & in_shape)));
-        if (!batch.is_near[i] && !solid.inverse) return;
-        // What stands in no list is judged by place, but where the ray was born on it.
         const M begins_inside =
-            select_mask(known, in_shape, span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
+            is_member ? in_shape
+                      : select_mask(has_contact, in_shape,
+                                    span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
         stretches[first] = resolve(program_, solid, rays, span, begins_inside, has_contact, unsure);
     }
     if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
@@ -92,20 +94,19 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
         }
     }
     batch.unsure = batch.unsure | unsure;
-    batch.is_near[i] = any(rays.active & ((stretches[first].in < F(infinity)) |
-                                          (stretches[end - 1].in < F(infinity))));
-    const F rank{double(solid.rank)};
-    const M is_top = batch.top == rank, is_weaker = batch.top < rank;
+    M near = stretches[first].in < F(infinity);
+    if (end > first + 1) near = near | (stretches[first + 1].in < F(infinity));
+    batch.is_near[i] = any(near);
+    if (!batch.is_near[i]) return;
+
+    // To enter and to leave are true crossings where nothing stronger is around.
+    M hidden = no_lanes();
+    for (std::size_t w = word; is_member && w < std::size_t(program_.words); ++w)
+        hidden = hidden | shares(batch.inside.word[w], U(solid.stronger[w]));
     for (std::size_t slot = first; slot < end; ++slot) {
         const Stretch& stretch = stretches[slot];
-        const M leaves_shape = stretch.in == F(-infinity);
-        F crossing = select(leaves_shape, stretch.out, stretch.in);
-        if (solid.rank >= 0) {
-            // To enter is true for what is stronger than the top, to leave for the top.
-            const M is_true = solid.inverse ? select_mask(leaves_shape, is_weaker, is_top)
-                                            : select_mask(leaves_shape, is_top, is_weaker);
-            crossing = select(is_true, crossing, F(infinity));
-        }
+        const F end_of_way = select(stretch.in == F(-infinity), stretch.out, stretch.in);
+        const F crossing = is_member ? select(hidden, F(infinity), end_of_way) : end_of_way;
         if (!program_.one_tolerance)
             batch.pivot_magnitude =
                 select(crossing < batch.nearest, F(solid.magnitude), batch.pivot_magnitude);
@@ -169,9 +170,9 @@ HWY_INLINE LatheCrossings Kernel::ask_crossings(const Batch& batch, const Solid&
 /// nearer where one of them is a true crossing.
 HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     const Rays& rays = batch.rays;
-    const Words inside[list_words] = {Words(batch.inside.low), Words(batch.inside.high)};
+    Words inside[list_words];
+    for (int w = 0; w < program_.words; ++w) inside[w] = Words(batch.inside.word[w]);
     const Words sphere_contacts(batch.sphere_contacts);
-    const Doubles top(batch.top);
     const Doubles ox(rays.world.origin.x), oy(rays.world.origin.y), oz(rays.world.origin.z);
     const Doubles dx(rays.world.direction.x), dy(rays.world.direction.y),
         dz(rays.world.direction.z);
@@ -191,15 +192,17 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         if (!met) return;
         stretch.rank = rank;
         SphereStretches& list = batch.spheres[lane];
+        batch.near_spheres |= 1u << lane;
         if (list.size == SphereStretches::most) {
             doubtful |= 1u << lane;
             return;
         }
         list.at[list.size++] = stretch;
-        const double candidate = is_inside ? (top[lane] == rank ? stretch.out : infinity)
-                                 : double(rank) > top[lane] ? stretch.in
-                                                            : infinity;
-        if (candidate < near[lane]) {
+        std::uint64_t hidden = 0;
+        for (int w = 0; w < program_.words; ++w)
+            hidden |= inside[w][lane] & member.stronger[std::size_t(w)];
+        const double candidate = is_inside ? stretch.out : stretch.in;
+        if (hidden == 0 && candidate < near[lane]) {
             near[lane] = candidate;
             pivot[lane] = magnitudes_[std::size_t(rank)];
         }
@@ -210,7 +213,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         if (!(active >> lane & 1u)) continue;
         const int contact[2] = {int(sphere_contacts[lane] & 0xffffffffu) - 1,
                                 int(sphere_contacts[lane] >> 32) - 1};
-        for (int w = 0; w < list_words; ++w) {
+        for (int w = 0; w < program_.words; ++w) {
             for (std::uint64_t left = inside[w][lane] & group_bits_[w]; left; left &= left - 1) {
                 const int rank = 64 * w + __builtin_ctzll(left);
                 offer(lane, rank, true, rank == contact[0] || rank == contact[1]);

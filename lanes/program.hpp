@@ -9,17 +9,23 @@
 namespace meniscus::lanes {
 
 /// At most so many solids stand in a ray's list: one bit each.
-inline constexpr int most_members = 112;
+inline constexpr int most_members = 240;
 /// At most so many solids are tried by every ray; small spheres stand in groups.
 inline constexpr int most_solids = 16;
 /// Behind the members' bits each solid that is always met has one: on which side of it a ray is
 /// that was born on it.
 inline constexpr int list_words = (most_members + most_solids) / 64;
+/// A bit for each place in the list.
+using Places = std::array<std::uint64_t, list_words>;
 /// Straight pieces of a lathe's profile, and crossings of it on one line.
 inline constexpr int most_pieces = 14;
 inline constexpr int most_lathe_crossings = 4;
 
 inline constexpr int no_rank = -1;
+
+inline constexpr double unit_roundoff = 0x1p-53;
+/// Chords this share of the magnitude long may be none: so near to a tangent rounding decides.
+inline constexpr double thin_chord = 1e-6;
 
 /// The last two are met by the host, one ray at a time: any other convex solid, and any other.
 enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
@@ -28,6 +34,9 @@ enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other 
 inline bool is_foreign(Kind kind) { return kind >= Kind::other_convex; }
 /// Whether a ray may be inside of it twice.
 inline bool has_two_stretches(Kind kind) { return kind == Kind::lathe || kind == Kind::other; }
+
+/// Whether a crossing must say which face it is on.
+inline bool has_faces(Kind kind) { return kind != Kind::sphere && kind != Kind::half_space; }
 
 /// One straight piece of a lathe's profile: a * radius + b * height = c with (a, b) its outward
 /// unit normal.
@@ -43,11 +52,13 @@ struct Solid {
     int part = 0;        // whose it is, for the host
     int rank = no_rank;  // place in the list: higher is stronger; `no_rank`: always met
     int place = 0;       // its bit in the list
+    Places stronger{};   // what hides its surface
     bool inverse = false;
     bool to_camera = true, to_mirrors = true, to_lights = true;  // which rays meet it
     bool placed = false;
     geom::Transform transform;  // from its own frame to the world, if placed
     double magnitude = 0.0;     // its largest coordinate
+    double thin = 0.0, sure_start = 0.0;  // its shares in bounds of the kernel (Rays)
 
     geom::Vec3 center{0.0};           // sphere; base of a cylinder; a half-space's unit normal
     double radius = 0.0;              // sphere, cylinder
@@ -75,6 +86,7 @@ struct Member {
     std::uint32_t medium = 0;  // equal for media that are alike
     bool attenuates = false;
     bool clear = true;  // its surface is exact Fresnel reflection and refraction, and nothing else
+    Places stronger{};  // what hides its surface
     bool in_group = false;
     int solid = 0;           // index into `solids`, if not in a group
     geom::Vec3 center{0.0};  // if in a group
@@ -95,8 +107,10 @@ struct Program {
 
     // What the scene has and needs; the rest is skipped.
     bool has_lights = true, attenuates = true, uses_keys = true;
-    bool two_words = true;    // places from 64 on
-    bool has_foreign = true;  // solids that the host meets
+    int words = list_words;        // of the list
+    bool has_foreign = true;       // solids that the host meets
+    bool has_dressed = true;       // members whose skins are not clear
+    bool ior_tells_medium = true;  // media of one index are alike
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

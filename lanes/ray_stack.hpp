@@ -30,10 +30,9 @@ struct WaitingRay {
     double t_max = geom::infinity;  // finite for shadow rays only
     double birth_magnitude = 0.0;   // M where it was born: how far its origin may be off
     double way_before = 0.0;        // covered in this medium since the last surface
-    int top = no_rank;              // strongest of `inside`
     std::uint64_t code = 0, key = 0;
-    std::array<std::uint64_t, list_words> inside{};  // a bit for each rank
-    std::uint64_t contacts = 0;                      // four bits a solid: face + 1, or 0
+    Places inside{};                // the list
+    std::uint64_t contacts = 0;     // four bits a solid: face + 1, or 0
     std::uint64_t sphere_contacts = 0;  // two ranks + 1 of grouped spheres, 32 bits each
 };
 
@@ -55,17 +54,14 @@ public:
         t_max,
         birth,
         way,
-        top,
         doubles,
         code = 0,
         key,
-        inside0,
-        inside1,
-        contacts,
+        inside,  // and the list's further words
+        contacts = inside + list_words,
         sphere_contacts,
         words
     };
-    static_assert(inside0 + list_words == contacts);
 
     RayStack() { reserve(4096); }
 
@@ -102,10 +98,9 @@ public:
         (*this)[t_max][i] = ray.t_max;
         (*this)[birth][i] = ray.birth_magnitude;
         (*this)[way][i] = ray.way_before;
-        (*this)[top][i] = ray.top;
         word(code)[i] = ray.code;
         word(key)[i] = ray.key;
-        for (int w = 0; w < list_words; ++w) word(Field(inside0 + w))[i] = ray.inside[w];
+        for (int w = 0; w < list_words; ++w) word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
         word(contacts)[i] = ray.contacts;
         word(sphere_contacts)[i] = ray.sphere_contacts;
     }

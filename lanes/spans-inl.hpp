@@ -14,7 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 inline constexpr double infinity = geom::infinity;
-inline constexpr double unit_roundoff = 0x1p-53;
 
 /// Rays as lines in some frame.
 struct Line {
@@ -25,8 +24,10 @@ struct Line {
 /// The rays of one step.
 struct Rays {
     Line world;
-    F largest;  // max |coordinate| of the origin
-    F birth;    // M where the ray was born, at least `largest`
+    F largest;      // max |coordinate| of the origin
+    F birth;        // M where the ray was born, at least `largest`
+    F sure_start;   // before this, list and place disagree; solids' own sizes aside
+    F thin;         // chords shorter than this may be none; sizes and distances aside
     F t_max;
     U contacts;
     M active;
@@ -70,15 +71,14 @@ HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
     const F3 f = e - b * ray.direction;
     F discriminant = F(solid.radius * solid.radius) - dot(f, f);
     if (solid.placed) discriminant = discriminant / ray.squared_length;
-    const M exist = F(0.0) < discriminant;
-    const F half = sqrt(max(discriminant, F(0.0)));
-    const M pinned = !(contact == U(0));
-    const F middle = -b;
+    // A ray born on the sphere meets it there and at twice the middle.
+    const F half =
+        select(shares(contact, U(15)), abs(b), sqrt(max(discriminant, F(0.0))));
     Span span;
-    span.t0 = select(pinned, min(F(0.0), middle + middle), middle - half);
-    span.t1 = select(pinned, max(F(0.0), middle + middle), middle + half);
+    span.t0 = -b - half;
+    span.t1 = half - b;
     span.face0 = span.face1 = F(0.0);
-    span.hit = (pinned & (span.t0 < span.t1)) | but_not(exist, pinned);
+    span.hit = F(0.0) < half;
     return span;
 }
 
@@ -186,35 +186,38 @@ HWY_INLINE Span cylinder_span(const Solid& solid, const Rays& rays, U contact) {
     return span;
 }
 
+/// The rare cases of `resolve`, by exact bounds.
+HWY_INLINE void resolve_doubt(const Program& program, const Solid& solid, const Rays& rays,
+                              const Span& span, M astray, M& enters, M& unsure) {
+    const F start = max(span.t0, F(0.0));
+    const F chord = span.t1 - start;
+    const F at = rays.largest + F(solid.magnitude) + start;
+    const F least(program.contact_tolerance);
+    const M thin = enters & (chord < max(F(thin_chord) * at, least + least));
+    const M touch = chord <= max(F(program.tolerance_units * unit_roundoff) * at, least);
+    unsure = unsure | astray | but_not(thin, touch);
+    enters = but_not(enters, thin & touch);
+}
+
 /// What a convex shape's span means to a ray whose list is known (tracer/offers.cpp, of which this
 /// is the sure part): a ray inside can only leave, one outside only enter; chords thinner than the
 /// tolerance are none.
 HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Rays& rays,
                            const Span& span, M inside, M has_contact, M& unsure) {
-    const F size(solid.magnitude);
-    const F hit_end = select(inside, span.t1, span.t0);
     M enters = but_not(span.hit & (F(0.0) < span.t1), inside);
     const F start = max(span.t0, F(0.0));
-    // A chord near the tolerance or below it: seldom.
-    const F chord = span.t1 - start;
-    const F at = rays.largest + size + start;
-    const M thin = enters & (chord < max(F(1e-6) * at, F(2.0 * program.contact_tolerance)));
-    if (any(thin)) {
-        const F tolerance =
-            max(F(program.tolerance_units * unit_roundoff) * at, F(program.contact_tolerance));
-        const M touch = chord <= tolerance;
-        unsure = unsure | but_not(thin, touch);
-        enters = but_not(enters, thin & touch);
-    }
-    // So is a start at which list and place disagree by more than rounding.
-    const F sure_start =
-        F(-2.0) * max(F(program.tolerance_units * unit_roundoff) * (rays.birth + size),
-                      F(program.contact_tolerance));
-    unsure = unsure | but_not((inside | enters) & (hit_end < sure_start), has_contact);
+    // Seldom: a chord about as thin as the tolerance, or a start at which list and place disagree
+    // by more than rounding.
+    const M thin = enters & (span.t1 - start < F(thin_chord) * start + (rays.thin + F(solid.thin)));
+    const F sure_start = min(rays.sure_start - F(solid.sure_start),
+                             F(-2.0 * program.contact_tolerance));
+    const M astray = but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)),
+                             has_contact);
+    if (any(thin | astray)) resolve_doubt(program, solid, rays, span, astray, enters, unsure);
 
     Stretch result;
     result.in = select(inside, F(-infinity), select(enters, start, F(infinity)));
-    result.out = select(inside, max(span.t1, F(0.0)), select(enters, span.t1, F(infinity)));
+    result.out = select(inside | enters, max(span.t1, F(0.0)), F(infinity));
     result.face_in = span.face0;
     result.face_out = span.face1;
     return result;

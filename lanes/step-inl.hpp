@@ -33,15 +33,16 @@ HWY_INLINE void Kernel::take(Batch& batch) {
     rays.largest =
         max(max(abs(rays.world.origin.x), abs(rays.world.origin.y)), abs(rays.world.origin.z));
     rays.birth = max(numbers(Stack::birth), rays.largest);
+    rays.sure_start = F(-2.0 * program_.tolerance_units * unit_roundoff) * rays.birth;
+    rays.thin = F(thin_chord) * rays.largest;
     rays.contacts = words(Stack::contacts);
     batch.throughput = {numbers(Stack::red), numbers(Stack::green), numbers(Stack::blue)};
     batch.weight = numbers(Stack::weight);
     batch.way_before = program_.attenuates ? numbers(Stack::way) : F(0.0);
-    batch.top = numbers(Stack::top);
     batch.code = words(Stack::code);
     batch.key = program_.uses_keys ? words(Stack::key) : U(0);
-    batch.inside.low = words(Stack::inside0);
-    batch.inside.high = program_.two_words ? words(Stack::inside1) : U(0);
+    for (int w = 0; w < program_.words; ++w)
+        batch.inside.word[w] = words(Stack::Field(Stack::inside + w));
     batch.sphere_contacts = program_.groups.empty() ? U(0) : words(Stack::sphere_contacts);
     batch.is_shadow =
         program_.has_lights ? !((batch.code & U(RayCode::shadow)) == U(0)) : no_lanes();
@@ -165,8 +166,12 @@ HWY_INLINE void Kernel::dress(const Batch& batch, M which, M by_surface, F3 poin
         dx(batch.rays.world.direction.x), dy(batch.rays.world.direction.y),
         dz(batch.rays.world.direction.z), weights(batch.weight), limits(batch.rays.t_max);
     const Words codes(batch.code), keys(batch.key), contacts(batch.contacts),
-        before_words[list_words] = {Words(batch.before.low), Words(batch.before.high)},
-        after_words[list_words] = {Words(batch.after.low), Words(batch.after.high)};
+        sphere_contacts(batch.sphere_contacts_after);
+    Words before_words[list_words], after_words[list_words];
+    for (int w = 0; w < program_.words; ++w) {
+        before_words[w] = Words(batch.before.word[w]);
+        after_words[w] = Words(batch.after.word[w]);
+    }
     const std::uint32_t surfaces = bits(by_surface);
     for_each(which, [&](std::size_t lane) {
         Surface surface;
@@ -186,12 +191,12 @@ HWY_INLINE void Kernel::dress(const Batch& batch, M which, M by_surface, F3 poin
         surface.face = int(faces[lane]);
         surface.rank_before = int(ranks_before[lane]);
         surface.rank_after = int(ranks_after[lane]);
-        for (int w = 0; w < list_words; ++w) {
+        for (int w = 0; w < program_.words; ++w) {
             surface.before[std::size_t(w)] = before_words[w][lane];
             surface.after[std::size_t(w)] = after_words[w][lane];
         }
         surface.contacts = contacts[lane];
-        if (!program_.groups.empty()) surface.sphere_contacts = batch.sphere_contacts_after[lane];
+        if (!program_.groups.empty()) surface.sphere_contacts = sphere_contacts[lane];
         surface.magnitude = magnitudes[lane];
         surface.level = int(levels[lane]);
         add_light(surface.ray.code, host_.shade(surface, stack_));
@@ -256,11 +261,10 @@ WaitingRay Kernel::waiting(std::size_t at) {
     ray.t_max = stack_[Stack::t_max][at];
     ray.birth_magnitude = stack_[Stack::birth][at];
     ray.way_before = stack_[Stack::way][at];
-    ray.top = int(stack_[Stack::top][at]);
     ray.code = stack_.word(Stack::code)[at];
     ray.key = stack_.word(Stack::key)[at];
-    for (int w = 0; w < list_words; ++w)
-        ray.inside[std::size_t(w)] = stack_.word(Stack::Field(Stack::inside0 + w))[at];
+    for (int w = 0; w < program_.words; ++w)
+        ray.inside[std::size_t(w)] = stack_.word(Stack::Field(Stack::inside + w))[at];
     ray.contacts = stack_.word(Stack::contacts)[at];
     ray.sphere_contacts = stack_.word(Stack::sphere_contacts)[at];
     return ray;
@@ -273,7 +277,7 @@ void Kernel::step() {
     counts_.segments += batch.size;
     find_stretches(batch);
     Top before(program_.outside), after(program_.outside);
-    make_lists(batch, before, after);
+    find_event(batch, before, after);
     if (any(batch.unsure)) hand_over(batch);
 
     const Rays& rays = batch.rays;
@@ -303,9 +307,14 @@ void Kernel::step() {
     const M member_met = but_not(met, by_surface);
     const M same = member_met & (before.rank == after.rank);
     const M after_owns = before.rank < after.rank;
-    const M clear = but_not(member_met, select_mask(after_owns, after.dressed, before.dressed));
+    const M clear =
+        program_.has_dressed
+            ? but_not(member_met, select_mask(after_owns, after.dressed, before.dressed))
+            : member_met;
     // Nothing is there: the same solid before and after, or like media under a clear skin.
-    const M nothing = same | (clear & (before.medium == after.medium));
+    const M alike = program_.ior_tells_medium ? before.ior == after.ior
+                                              : before.medium == after.medium;
+    const M nothing = same | (clear & alike);
     const M glass = but_not(clear, nothing);
     const M dressed = but_not(but_not(met, nothing), glass);
     const M gone = but_not(rays.active, met);
@@ -341,9 +350,8 @@ void Kernel::step() {
 
     // Rays that go on.
     stack_.reserve(stack_.size() + 3 * lanes);
-    const U sphere_contacts = program_.groups.empty() ? U(0) : load(batch.sphere_contacts_after.at);
     const auto push = [&](M which, const F3& direction, const F3& light, F weight, F t_max, F way,
-                          const List& list, F top, U code, U key) HWY_ATTR {
+                          const List& list, U code, U key) HWY_ATTR {
         const Packing packing(bits(which));
         if (packing.count == 0) return;
         const std::size_t at = stack_.size();
@@ -362,15 +370,14 @@ void Kernel::step() {
         numbers(Stack::blue, light.z);
         numbers(Stack::weight, weight);
         numbers(Stack::birth, magnitude);
-        numbers(Stack::top, top);
         words(Stack::code, code);
-        words(Stack::inside0, list.low);
+        for (int w = 0; w < program_.words; ++w)
+            words(Stack::Field(Stack::inside + w), list.word[w]);
         words(Stack::contacts, batch.contacts);
         if (program_.has_lights) numbers(Stack::t_max, t_max);
         if (program_.attenuates) numbers(Stack::way, way);
         if (program_.uses_keys) words(Stack::key, key);
-        if (program_.two_words) words(Stack::inside1, list.high);
-        if (!program_.groups.empty()) words(Stack::sphere_contacts, sphere_contacts);
+        if (!program_.groups.empty()) words(Stack::sphere_contacts, batch.sphere_contacts_after);
         stack_.resize(at + packing.count);
     };
     const U plain_code = batch.code & U(~(RayCode::level_mask | RayCode::straight));
@@ -379,7 +386,7 @@ void Kernel::step() {
     const M passes = nothing | (glass & batch.is_shadow);
     if (any(passes)) {
         push(passes, rays.world.direction, throughput, batch.weight, rays.t_max - t,
-             select(nothing, batch.way_before + t, F(0.0)), batch.after, after.rank,
+             select(nothing, batch.way_before + t, F(0.0)), batch.after,
              plain_code | level_word | only(but_not(passes, batch.is_shadow), U(RayCode::straight)),
              batch.key);
     }
@@ -423,9 +430,9 @@ void Kernel::step() {
             select(bends, unit(eta * rays.world.direction + s_up * n), rays.world.direction);
         push(reflects & may_go_on & (floor <= reflect_weight), mirrored,
              reflect_factor * throughput, reflect_weight, F(infinity), F(0.0), batch.before,
-             before.rank, plain_code | level_word | U(RayCode::reflected), reflect_key);
+             plain_code | level_word | U(RayCode::reflected), reflect_key);
         push(transmits & may_go_on & (floor <= transmit_weight), bent, transmit_factor * throughput,
-             transmit_weight, F(infinity), F(0.0), batch.after, after.rank,
+             transmit_weight, F(infinity), F(0.0), batch.after,
              plain_code | level_word | only(but_not(transmits, bends), U(RayCode::straight)),
              transmit_key);
     }

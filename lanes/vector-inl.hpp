@@ -69,6 +69,25 @@ HWY_INLINE M operator==(U x, U y) {
     return {hn::RebindMask(doubles, hn::Eq(x.a, y.a)), hn::RebindMask(doubles, hn::Eq(x.b, y.b))};
 }
 
+/// Whether x has any of the bits of y.
+HWY_INLINE M shares(U x, U y) {
+#if HWY_TARGET == HWY_AVX3
+    return {{_mm512_test_epi64_mask(x.a.raw, y.a.raw)}, {_mm512_test_epi64_mask(x.b.raw, y.b.raw)}};
+#else
+    const M none = (x & y) == U(0);
+    return {hn::Not(none.a), hn::Not(none.b)};
+#endif
+}
+/// Of words below 2^63.
+HWY_INLINE M operator<(U x, U y) {
+    const hn::Rebind<std::int64_t, DoubleTag> signed_tag;
+    const auto less = [&](hn::Vec<WordTag> u, hn::Vec<WordTag> v) HWY_ATTR {
+        return hn::RebindMask(doubles,
+                              hn::Lt(hn::BitCast(signed_tag, u), hn::BitCast(signed_tag, v)));
+    };
+    return {less(x.a, y.a), less(x.b, y.b)};
+}
+
 HWY_INLINE M operator&(M x, M y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
 HWY_INLINE M operator|(M x, M y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
 HWY_INLINE M operator^(M x, M y) { return {hn::Xor(x.a, y.a), hn::Xor(x.b, y.b)}; }
@@ -76,16 +95,24 @@ HWY_INLINE M operator!(M x) { return {hn::Not(x.a), hn::Not(x.b)}; }
 /// x and not y.
 HWY_INLINE M but_not(M x, M y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
 HWY_INLINE M select_mask(M m, M x, M y) { return (m & x) | but_not(y, m); }
-HWY_INLINE bool any(M x) { return !hn::AllFalse(doubles, x.a) || !hn::AllFalse(doubles, x.b); }
-HWY_INLINE std::size_t count(M x) {
-    return hn::CountTrue(doubles, x.a) + hn::CountTrue(doubles, x.b);
-}
 HWY_INLINE M no_lanes() { return {hn::FirstN(doubles, 0), hn::FirstN(doubles, 0)}; }
 /// The lower `n` lanes.
 HWY_INLINE M first_lanes(std::size_t n) {
     return {hn::FirstN(doubles, n), hn::FirstN(doubles, n > width ? n - width : 0)};
 }
 /// A bit for each lane.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE std::uint32_t bits(M x) {
+    return std::uint32_t(x.a.raw) | std::uint32_t(x.b.raw) << width;
+}
+HWY_INLINE bool any(M x) { return (x.a.raw | x.b.raw) != 0; }
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE std::uint32_t bits(M x) {
+    return std::uint32_t(_mm256_movemask_pd(x.a.raw)) |
+           std::uint32_t(_mm256_movemask_pd(x.b.raw)) << width;
+}
+HWY_INLINE bool any(M x) { return _mm256_movemask_pd(_mm256_or_pd(x.a.raw, x.b.raw)) != 0; }
+#else
 HWY_INLINE std::uint32_t bits(M x) {
     std::uint8_t first[8] = {}, second[8] = {};
     hn::StoreMaskBits(doubles, x.a, first);
@@ -93,6 +120,9 @@ HWY_INLINE std::uint32_t bits(M x) {
     constexpr std::uint32_t used = (1u << width) - 1u;
     return (first[0] & used) | std::uint32_t(second[0] & used) << width;
 }
+HWY_INLINE bool any(M x) { return bits(x) != 0; }
+#endif
+HWY_INLINE std::size_t count(M x) { return std::size_t(__builtin_popcount(bits(x))); }
 
 /// The lanes whose bits are set.
 HWY_INLINE M mask_of(std::uint32_t lane_bits) {

@@ -56,7 +56,6 @@ void LaneHost::list_start(const TracedRay& start, lanes::WaitingRay& ray) const 
         if (member.depth <= 0) continue;
         const int rank = rank_of_part_[std::size_t(member.part)];
         ray.inside[std::size_t(rank / 64)] |= 1ull << (rank % 64);
-        ray.top = std::max(ray.top, rank);
     }
     ray.birth_magnitude = start.birth_magnitude;
 }

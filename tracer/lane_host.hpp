@@ -33,7 +33,7 @@ public:
 
 private:
     const scene::Interior& medium_at(int rank) const;
-    bool is_bit(const std::array<std::uint64_t, lanes::list_words>& words, int place) const {
+    bool is_bit(const lanes::Places& words, int place) const {
         return (words[std::size_t(place / 64)] >> (place % 64) & 1u) != 0;
     }
     void list_start(const TracedRay& start, lanes::WaitingRay& ray) const;

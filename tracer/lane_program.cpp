@@ -175,6 +175,25 @@ lanes::Member make_member(const RenderScene& scene, int index,
     return member;
 }
 
+/// The places of all members of higher rank.
+lanes::Places places_above(int rank, int members) {
+    lanes::Places places{};
+    for (int other = rank + 1; other < members; ++other)
+        places[std::size_t(other / 64)] |= 1ull << (other % 64);
+    return places;
+}
+
+bool ior_tells_medium(const lanes::Program& program) {
+    std::vector<lanes::Member> all = program.members;
+    all.push_back(program.outside);
+    for (const auto& a : all) {
+        for (const auto& b : all) {
+            if ((a.ior == b.ior) != (a.medium == b.medium)) return false;
+        }
+    }
+    return true;
+}
+
 /// Puts spheres that lie close together into groups of eight, by median splits.
 void group(std::vector<int> ranks, lanes::Program& program) {
     const auto& members = program.members;
@@ -274,11 +293,18 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         program.largest_magnitude = std::max(program.largest_magnitude, part.shape.magnitude());
     }
     program.one_tolerance = program.largest_magnitude <= alike_magnitudes * least_magnitude;
-    for (std::size_t i = 0; i < program.solids.size(); ++i) {
-        lanes::Solid& solid = program.solids[i];
-        solid.place = solid.rank >= 0 ? solid.rank : int(members.size() + i);
+    int place = int(members.size());
+    for (lanes::Solid& solid : program.solids) solid.place = solid.rank >= 0 ? solid.rank : place++;
+    program.words = (place + 63) / 64;
+    for (std::size_t rank = 0; rank < members.size(); ++rank)
+        program.members[rank].stronger = places_above(int(rank), int(members.size()));
+    for (lanes::Solid& solid : program.solids) {
+        if (solid.rank >= 0)
+            solid.stronger = program.members[std::size_t(solid.rank)].stronger;
     }
-    program.two_words = members.size() + program.solids.size() > 64;
+    program.has_dressed =
+        std::ranges::any_of(program.members, [](const auto& member) { return !member.clear; });
+    program.ior_tells_medium = ior_tells_medium(program);
     program.has_foreign = std::ranges::any_of(
         program.solids, [](const auto& solid) { return lanes::is_foreign(solid.kind); });
     program.has_lights = !scene.source.lights.empty();
@@ -286,6 +312,10 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
 
     program.tolerance_units = scene.tolerance_units;
     program.contact_tolerance = scene.contact_tolerance;
+    for (lanes::Solid& solid : program.solids) {
+        solid.thin = lanes::thin_chord * solid.magnitude + 2.0 * scene.contact_tolerance;
+        solid.sure_start = 2.0 * scene.tolerance_units * lanes::unit_roundoff * solid.magnitude;
+    }
     const Tree tree = implied_tree(options);
     const scene::Settings& settings = scene.source.settings;
     program.whitted = tree == Tree::whitted;

@@ -20,6 +20,6 @@ TEST_CASE("a stack of rays grows and keeps what it holds", "[lanes]") {
         CHECK(stack[RayStack::ox][i] == double(i));
         CHECK(stack[RayStack::blue][i] == -double(i));
         CHECK(stack.word(RayStack::code)[i] == i);
-        CHECK(stack.word(RayStack::inside1)[i] == i << 20);
+        CHECK(stack.word(RayStack::Field(RayStack::inside + 1))[i] == i << 20);
     }
 }
