@@ -68,7 +68,7 @@ struct SphereStretch {
 struct SphereStretches {
     static constexpr int most = 12;
     SphereStretch at[most];
-    int size = 0;
+    int size;
 };
 
 /// The solid on top of each ray's list, and what it is made of, so far as the program asks.
@@ -78,6 +78,7 @@ struct Top {
     F face;  // of its crossing in the event, if it has one
     M dressed, attenuates;
 
+    Top() = default;
     HWY_INLINE explicit Top(const Member& outside)
         : rank(double(no_rank)),
           ior(outside.ior),
@@ -98,15 +99,39 @@ struct Top {
     }
 };
 
+/// Rays that go on from an event, apart from what it says itself.
+struct Child {
+    F3 direction, light;  // `light`: where rays have colours
+    F weight;             // of rays that are not shadow rays
+    F t_max;              // of shadow rays
+    F way;
+    U code, key;
+};
+
+/// Events on spheres, of all sizes.
+struct Round {
+    M which;
+    F3 center;
+    F radius, inverse_radius;
+
+    HWY_INLINE void add(M here, const F3& c, F r, F inverse) {
+        which = which | here;
+        center = select(here, c, center);
+        radius = select(here, r, radius);
+        inverse_radius = select(here, inverse, inverse_radius);
+    }
+};
+
 struct Batch {
     std::size_t size = 0, base = 0;  // rays, and where they stood on the stack
+    bool is_shadow = false;          // all of them go to lights, or none
     // As they set out.
     Rays rays;
     F3 throughput;
     F weight, way_before;
     U code, key, sphere_contacts;
     List inside;
-    M is_shadow, is_mirrored;
+    M is_mirrored;
     // Where each solid's stretches of them lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any
@@ -123,6 +148,14 @@ struct Batch {
     U contacts;
     F false_crossings;
     U sphere_contacts_after;
+    Top before_top, after_top;
+    // What is met: no surface, a clear one, one that lanes can shade, one that the host shades.
+    U level;
+    M same, nothing, glass, painted, dressed;
+    M by_surface;   // it stands in no list
+    F owner, face;  // rank of the solid whose surface it is
+    F3 point, normal;
+    F magnitude;  // M at the point
 };
 
 /// The stretch of a ray in one small sphere, as `sphere_span` and `resolve` have it for lanes;

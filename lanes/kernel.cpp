@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-Counts run_all(const Program& program, Host& host, RayStack& stack, std::int64_t* sums) {
-    return Kernel(program, host, stack, sums).run();
+Counts run_all(const Program& program, Host& host, Stacks& stacks, std::int64_t* sums) {
+    return Kernel(program, host, stacks, sums).run();
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE
@@ -68,16 +68,16 @@ WaitingRay Surface::next(const geom::Vec3& direction, bool behind) const {
     return result;
 }
 
-Counts run(const Program& program, Host& host, RayStack& stack, std::int64_t* sums,
+Counts run(const Program& program, Host& host, Stacks& stacks, std::int64_t* sums,
            const std::string& instruction_set) {
     for (const InstructionSet& set : known_sets) {
         if (!is_usable(set) || (!instruction_set.empty() && instruction_set != set.name)) continue;
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
-        return HWY_STATIC_DISPATCH(run_all)(program, host, stack, sums);
+        return HWY_STATIC_DISPATCH(run_all)(program, host, stacks, sums);
 #else
         hwy::ChosenTarget chosen;
         chosen.Update(set.target);
-        return HWY_DISPATCH_TABLE(run_all)[chosen.GetIndex()](program, host, stack, sums);
+        return HWY_DISPATCH_TABLE(run_all)[chosen.GetIndex()](program, host, stacks, sums);
 #endif
     }
     throw std::invalid_argument("this machine has no instruction set \"" + instruction_set + "\"");

@@ -29,7 +29,7 @@ struct Surface {
 /// What a tile did.
 struct Counts {
     std::uint64_t segments = 0, true_crossings = 0, false_crossings = 0;
-    std::uint64_t reflected = 0, refracted = 0;
+    std::uint64_t reflected = 0, refracted = 0, shadows = 0;
     std::uint64_t handed_over = 0;  // rays that the host followed
     int deepest_level = 0;
 };
@@ -54,7 +54,7 @@ public:
     virtual geom::Vec3 transmittance(int rank, double way, bool of_shadow) = 0;
     /// Shades a surface: returns its own light times the throughput, and pushes the rays that go
     /// on.
-    virtual geom::Vec3 shade(const Surface& surface, RayStack& stack) = 0;
+    virtual geom::Vec3 shade(const Surface& surface, Stacks& stacks) = 0;
     /// What a foreign convex solid leaves of a line; `pin` as for geom::Sphere::interval.
     virtual geom::Interval interval(const Solid& solid, const geom::Ray& ray, geom::Face pin) = 0;
     /// The crossings of a line with a foreign solid, sorted; their number, or -1 if there are more
@@ -74,7 +74,7 @@ std::vector<std::string> instruction_sets();
 /// numbers, red, green and blue in 1 / program.units and the count of leaves. Sums of integers are
 /// the same in every order, so the number of lanes changes nothing. `instruction_set` is one of
 /// `instruction_sets()`; empty: the best.
-Counts run(const Program& program, Host& host, RayStack& stack, std::int64_t* sums,
+Counts run(const Program& program, Host& host, Stacks& stacks, std::int64_t* sums,
            const std::string& instruction_set = {});
 
 }  // namespace meniscus::lanes

@@ -23,26 +23,26 @@ HWY_INLINE U contact_word(F face, int index) {
 
 /// The event: the nearest true crossing, what coincides with it, and the lists just before and
 /// just after.
-HWY_INLINE void Kernel::find_event(Batch& batch, Top& before, Top& after) {
+inline void Kernel::find_event(Batch& batch) {
     batch.met = batch.rays.active & (batch.nearest < F(infinity));
-    if (program_.has_lights) batch.met = batch.met & (batch.nearest <= batch.rays.t_max);
+    if (batch.is_shadow) batch.met = batch.met & (batch.nearest <= batch.rays.t_max);
     batch.t = select(batch.met, batch.nearest, min(batch.rays.t_max, F(1e300)));
     // Most crossings have the place to themselves. Then all bounds give the same lists, and a
     // coarse one will do; where that fails often it is not tried.
     if (crowded_ < most_crowded) {
-        if (make_lists<false>(batch, before, after)) return;
+        if (make_lists<false>(batch)) return;
         crowded_ += crowded_cost;
-        before = after = Top(program_.outside);
     } else {
         --crowded_;
     }
-    make_lists<true>(batch, before, after);
+    make_lists<true>(batch);
 }
 
 /// With `exact` bounds, or with one coarse bound for all: false if then more than one crossing lies
 /// within it.
 template <bool exact>
-HWY_INLINE bool Kernel::make_lists(Batch& batch, Top& before, Top& after) {
+HWY_INLINE bool Kernel::make_lists(Batch& batch) {
+    Top before(program_.outside), after(program_.outside);
     const Rays& rays = batch.rays;
     const F t = batch.t;
     for (int w = 0; w < program_.words; ++w) batch.before.word[w] = batch.after.word[w] = U(0);
@@ -93,8 +93,8 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch, Top& before, Top& after) {
                 face = select(enters, stretch.face_in, select(leaves, stretch.face_out, face));
         }
         batch.contacts =
-            batch.contacts | only(once, has_faces(solid.kind) ? contact_word(face, int(i))
-                                                              : U(1ull << (4 * i)));
+            batch.contacts |
+            only(once, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
         if (solid.inverse) {
             is_before = !is_before;
             is_after = !is_after;
@@ -123,6 +123,8 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch, Top& before, Top& after) {
         if (!exact && any(more)) return false;
     }
     batch.unsure = rays.active & (batch.unsure | (batch.met & torn));
+    batch.before_top = before;
+    batch.after_top = after;
     return true;
 }
 

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// Where each solid's stretches of the rays lie, and the nearest crossing that is true.
-HWY_INLINE void Kernel::find_stretches(Batch& batch) {
+inline void Kernel::find_stretches(Batch& batch) {
     batch.nearest = F(infinity);
     batch.pivot_magnitude = F(0.0);
     batch.unsure = no_lanes();
@@ -84,9 +84,12 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     }
     if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
         M unseen = no_lanes();
-        if (!solid.to_camera) unseen = !(batch.is_shadow | batch.is_mirrored);
-        if (!solid.to_mirrors) unseen = unseen | batch.is_mirrored;
-        if (!solid.to_lights) unseen = unseen | batch.is_shadow;
+        if (batch.is_shadow) {
+            if (!solid.to_lights) unseen = !unseen;
+        } else {
+            if (!solid.to_camera) unseen = !batch.is_mirrored;
+            if (!solid.to_mirrors) unseen = unseen | batch.is_mirrored;
+        }
         unsure = but_not(unsure, unseen);
         for (std::size_t slot = first; slot < end; ++slot) {
             stretches[slot].in = select(unseen, F(infinity), stretches[slot].in);
@@ -192,6 +195,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         if (!met) return;
         stretch.rank = rank;
         SphereStretches& list = batch.spheres[lane];
+        if (!(batch.near_spheres >> lane & 1u)) list.size = 0;
         batch.near_spheres |= 1u << lane;
         if (list.size == SphereStretches::most) {
             doubtful |= 1u << lane;
@@ -209,7 +213,6 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     };
     // Those that the list or a contact names, first: no box can hide them.
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        batch.spheres[lane].size = 0;
         if (!(active >> lane & 1u)) continue;
         const int contact[2] = {int(sphere_contacts[lane] & 0xffffffffu) - 1,
                                 int(sphere_contacts[lane] >> 32) - 1};

@@ -56,12 +56,14 @@ struct Solid {
     bool inverse = false;
     bool to_camera = true, to_mirrors = true, to_lights = true;  // which rays meet it
     bool placed = false;
-    geom::Transform transform;  // from its own frame to the world, if placed
-    double magnitude = 0.0;     // its largest coordinate
+    geom::Transform transform;            // from its own frame to the world, if placed
+    double magnitude = 0.0;               // its largest coordinate
     double thin = 0.0, sure_start = 0.0;  // its shares in bounds of the kernel (Rays)
+    int paint = -1;                       // how lanes shade it, if they can
 
     geom::Vec3 center{0.0};           // sphere; base of a cylinder; a half-space's unit normal
     double radius = 0.0;              // sphere, cylinder
+    double inverse_radius = 0.0;      // sphere
     double distance = 0.0;            // half-space
     geom::Vec3 low{0.0}, high{0.0};   // box
     geom::Vec3 axis{0.0};             // cylinder: unit vector from base to cap
@@ -90,7 +92,22 @@ struct Member {
     bool in_group = false;
     int solid = 0;           // index into `solids`, if not in a group
     geom::Vec3 center{0.0};  // if in a group
-    double radius = 0.0;
+    double radius = 0.0, inverse_radius = 0.0;
+};
+
+/// An opaque surface that lanes can shade: diffuse under point lights, of one colour or chequered.
+struct Paint {
+    bool is_checker = false;
+    geom::Vec3 colours[2];
+    geom::Mat3 to_cells{1.0};  // checker: a point's cell is to_cells * point + shift, rounded down
+    geom::Vec3 shift{0.0};
+    geom::Vec3 glow{0.0};  // ambient light and emission, as a share of the colour
+    double diffuse = 0.0;
+};
+
+/// A point light that fades with nothing.
+struct Light {
+    geom::Vec3 position, colour;
 };
 
 /// A scene as tables: what the kernel needs to know of it and no more. Ranks sort the members by
@@ -99,14 +116,17 @@ struct Member {
 struct Program {
     std::vector<Solid> solids;
     std::vector<Group> groups;
-    std::vector<Member> members;                             // by rank
+    std::vector<Member> members;  // by rank
+    std::vector<Paint> paints;
+    std::vector<Light> lights;                               // if there are paints
     Member outside;                                          // the medium around everything
     double tolerance_units = 16.0, contact_tolerance = 0.0;  // docs/numerics.md
     double largest_magnitude = 0.0;                          // over all solids and spheres
     bool one_tolerance = false;  // the magnitudes are so alike that the largest serves for all
 
     // What the scene has and needs; the rest is skipped.
-    bool has_lights = true, attenuates = true, uses_keys = true;
+    bool attenuates = true, uses_keys = true;
+    bool grey = false;             // only rays to lights have colours: a ray's light is its weight
     int words = list_words;        // of the list
     bool has_foreign = true;       // solids that the host meets
     bool has_dressed = true;       // members whose skins are not clear

@@ -31,8 +31,8 @@ struct WaitingRay {
     double birth_magnitude = 0.0;   // M where it was born: how far its origin may be off
     double way_before = 0.0;        // covered in this medium since the last surface
     std::uint64_t code = 0, key = 0;
-    Places inside{};                // the list
-    std::uint64_t contacts = 0;     // four bits a solid: face + 1, or 0
+    Places inside{};                    // the list
+    std::uint64_t contacts = 0;         // four bits a solid: face + 1, or 0
     std::uint64_t sphere_contacts = 0;  // two ranks + 1 of grouped spheres, 32 bits each
 };
 
@@ -100,7 +100,8 @@ public:
         (*this)[way][i] = ray.way_before;
         word(code)[i] = ray.code;
         word(key)[i] = ray.key;
-        for (int w = 0; w < list_words; ++w) word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
+        for (int w = 0; w < list_words; ++w)
+            word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
         word(contacts)[i] = ray.contacts;
         word(sphere_contacts)[i] = ray.sphere_contacts;
     }
@@ -111,6 +112,11 @@ private:
     std::size_t size_ = 0, capacity_ = 0;
     std::unique_ptr<double[]> doubles_;
     std::unique_ptr<std::uint64_t[]> words_;
+};
+
+/// Rays that see, and rays that go to lights: what they need differs.
+struct Stacks {
+    RayStack rays, shadows;
 };
 
 }  // namespace meniscus::lanes

@@ -24,10 +24,10 @@ struct Line {
 /// The rays of one step.
 struct Rays {
     Line world;
-    F largest;      // max |coordinate| of the origin
-    F birth;        // M where the ray was born, at least `largest`
-    F sure_start;   // before this, list and place disagree; solids' own sizes aside
-    F thin;         // chords shorter than this may be none; sizes and distances aside
+    F largest;     // max |coordinate| of the origin
+    F birth;       // M where the ray was born, at least `largest`
+    F sure_start;  // before this, list and place disagree; solids' own sizes aside
+    F thin;        // chords shorter than this may be none; sizes and distances aside
     F t_max;
     U contacts;
     M active;
@@ -72,8 +72,7 @@ HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
     F discriminant = F(solid.radius * solid.radius) - dot(f, f);
     if (solid.placed) discriminant = discriminant / ray.squared_length;
     // A ray born on the sphere meets it there and at twice the middle.
-    const F half =
-        select(shares(contact, U(15)), abs(b), sqrt(max(discriminant, F(0.0))));
+    const F half = select(shares(contact, U(15)), abs(b), sqrt(max(discriminant, F(0.0))));
     Span span;
     span.t0 = -b - half;
     span.t1 = half - b;
@@ -209,10 +208,10 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     // Seldom: a chord about as thin as the tolerance, or a start at which list and place disagree
     // by more than rounding.
     const M thin = enters & (span.t1 - start < F(thin_chord) * start + (rays.thin + F(solid.thin)));
-    const F sure_start = min(rays.sure_start - F(solid.sure_start),
-                             F(-2.0 * program.contact_tolerance));
-    const M astray = but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)),
-                             has_contact);
+    const F sure_start =
+        min(rays.sure_start - F(solid.sure_start), F(-2.0 * program.contact_tolerance));
+    const M astray =
+        but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)), has_contact);
     if (any(thin | astray)) resolve_doubt(program, solid, rays, span, astray, enters, unsure);
 
     Stretch result;

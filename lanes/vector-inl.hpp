@@ -50,6 +50,7 @@ HWY_INLINE F min(F x, F y) { return {hn::Min(x.a, y.a), hn::Min(x.b, y.b)}; }
 HWY_INLINE F max(F x, F y) { return {hn::Max(x.a, y.a), hn::Max(x.b, y.b)}; }
 HWY_INLINE F abs(F x) { return {hn::Abs(x.a), hn::Abs(x.b)}; }
 HWY_INLINE F sqrt(F x) { return {hn::Sqrt(x.a), hn::Sqrt(x.b)}; }
+HWY_INLINE F floor(F x) { return {hn::Floor(x.a), hn::Floor(x.b)}; }
 HWY_INLINE M operator<(F x, F y) { return {hn::Lt(x.a, y.a), hn::Lt(x.b, y.b)}; }
 HWY_INLINE M operator<=(F x, F y) { return {hn::Le(x.a, y.a), hn::Le(x.b, y.b)}; }
 HWY_INLINE M operator>(F x, F y) { return y < x; }
@@ -58,6 +59,7 @@ HWY_INLINE M operator==(F x, F y) { return {hn::Eq(x.a, y.a), hn::Eq(x.b, y.b)};
 
 HWY_INLINE U operator+(U x, U y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}; }
 HWY_INLINE U operator&(U x, U y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
+HWY_INLINE U operator^(U x, U y) { return {hn::Xor(x.a, y.a), hn::Xor(x.b, y.b)}; }
 HWY_INLINE U operator|(U x, U y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
 HWY_INLINE U shift_right(U x, int by) {
     return {hn::ShiftRightSame(x.a, by), hn::ShiftRightSame(x.b, by)};
@@ -108,8 +110,8 @@ HWY_INLINE std::uint32_t bits(M x) {
 HWY_INLINE bool any(M x) { return (x.a.raw | x.b.raw) != 0; }
 #elif HWY_TARGET == HWY_AVX2
 HWY_INLINE std::uint32_t bits(M x) {
-    return std::uint32_t(_mm256_movemask_pd(x.a.raw)) |
-           std::uint32_t(_mm256_movemask_pd(x.b.raw)) << width;
+    return std::uint32_t(_mm256_movemask_pd(x.a.raw)) | std::uint32_t(_mm256_movemask_pd(x.b.raw))
+                                                            << width;
 }
 HWY_INLINE bool any(M x) { return _mm256_movemask_pd(_mm256_or_pd(x.a.raw, x.b.raw)) != 0; }
 #else
@@ -164,12 +166,32 @@ HWY_INLINE F to_double(U x) {
     return F(hn::BitCast(doubles, with_exponent.a), hn::BitCast(doubles, with_exponent.b)) -
            F(0x1p52);
 }
-/// table[index] for whole numbers `index`.
-HWY_INLINE F gather(const double* table, F index) {
-    const hn::Rebind<std::int64_t, DoubleTag> signed_tag;
-    return {hn::GatherIndex(doubles, table, hn::ConvertTo(signed_tag, index.a)),
-            hn::GatherIndex(doubles, table, hn::ConvertTo(signed_tag, index.b))};
+/// The nearest whole number of each, as two's complement; |x| < 2^51.
+HWY_INLINE U round_to_word(F x) {
+    const F shifted = x + F(0x1.8p52);
+    const auto word = [](hn::Vec<DoubleTag> v) HWY_ATTR {
+        return hn::Sub(hn::BitCast(integers, v), hn::Set(integers, 0x4338000000000000ull));
+    };
+    return {word(shifted.a), word(shifted.b)};
 }
+/// Products modulo 2^64.
+HWY_INLINE hn::Vec<WordTag> multiply(hn::Vec<WordTag> x, hn::Vec<WordTag> y) {
+#if HWY_TARGET == HWY_AVX3
+    return hn::Vec<WordTag>{_mm512_mullo_epi64(x.raw, y.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    const __m256i low = _mm256_mul_epu32(x.raw, y.raw);
+    const __m256i cross = _mm256_add_epi64(_mm256_mul_epu32(_mm256_srli_epi64(x.raw, 32), y.raw),
+                                           _mm256_mul_epu32(x.raw, _mm256_srli_epi64(y.raw, 32)));
+    return hn::Vec<WordTag>{_mm256_add_epi64(low, _mm256_slli_epi64(cross, 32))};
+#else
+    HWY_ALIGN std::uint64_t u[width], v[width];
+    hn::Store(x, integers, u);
+    hn::Store(y, integers, v);
+    for (std::size_t i = 0; i < width; ++i) u[i] *= v[i];
+    return hn::Load(integers, u);
+#endif
+}
+HWY_INLINE U operator*(U x, U y) { return {multiply(x.a, y.a), multiply(x.b, y.b)}; }
 
 /// Moves the lanes of `m` to the lower end.
 #if HWY_TARGET == HWY_AVX3

@@ -65,13 +65,14 @@ void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
     samples_ = &samples;
     next_sample_ = 0;
     const lanes::Counts counts =
-        lanes::run(program_, *this, stack_, sums_.data(), options_.instruction_set);
+        lanes::run(program_, *this, stacks_, sums_.data(), options_.instruction_set);
     statistics_.segments += counts.segments;
     statistics_.casts += counts.segments;
     statistics_.true_crossings += counts.true_crossings;
     statistics_.false_crossings += counts.false_crossings;
     statistics_.reflected_rays += counts.reflected;
     statistics_.refracted_rays += counts.refracted;
+    statistics_.shadow_rays += counts.shadows;
     statistics_.deepest_level = std::max(statistics_.deepest_level, counts.deepest_level);
     statistics_.single_rays += counts.handed_over;
 }
@@ -125,8 +126,8 @@ Rgb LaneHost::pass_shadow(const lanes::Surface& surface, lanes::RayStack& stack)
     return Rgb{0.0};
 }
 
-Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
-    if (surface.ray.code & lanes::RayCode::shadow) return pass_shadow(surface, stack);
+Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::Stacks& stacks) {
+    if (surface.ray.code & lanes::RayCode::shadow) return pass_shadow(surface, stacks.shadows);
 
     const auto solid_at = [&](int rank) {
         return rank < 0 ? outside
@@ -157,7 +158,7 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
         shadow.throughput = throughput * term.light;
         shadow.t_max = term.distance;
         shadow.code |= lanes::RayCode::shadow;
-        stack.push(shadow);
+        stacks.shadows.push(shadow);
     }
 
     const auto go_on = [&](const Vec3& towards, bool behind, const Rgb& share, double weight,
@@ -177,7 +178,7 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::RayStack& stack) {
         if (surface.level >= program_.most_levels || ray.weight < program_.least_weight) return;
         if (straight) ray.code |= lanes::RayCode::straight;
         if (!behind) ray.code |= lanes::RayCode::reflected;
-        stack.push(ray);
+        stacks.rays.push(ray);
     };
     const auto back = [&] { return mirrored(direction, surface.normal, shading_.normal); };
     const std::uint64_t key = surface.ray.key;

@@ -24,7 +24,7 @@ public:
     void more_rays(lanes::RayStack& stack, std::size_t wanted) override;
     geom::Vec3 sky(const geom::Vec3& direction, int rank) override;
     geom::Vec3 transmittance(int rank, double way, bool of_shadow) override;
-    geom::Vec3 shade(const lanes::Surface& surface, lanes::RayStack& stack) override;
+    geom::Vec3 shade(const lanes::Surface& surface, lanes::Stacks& stacks) override;
     geom::Interval interval(const lanes::Solid& solid, const geom::Ray& ray,
                             geom::Face pin) override;
     int crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::Met* out) override;
@@ -45,7 +45,7 @@ private:
     const lanes::Program& program_;
     RayTree& tree_;
     Statistics& statistics_;
-    lanes::RayStack stack_;
+    lanes::Stacks stacks_;
     std::vector<std::int64_t> sums_;
     std::vector<int> rank_of_part_;
     const std::vector<Sample>* samples_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geom/cylindrical.hpp"
 #include "geom/profile.hpp"
@@ -31,6 +32,7 @@ lanes::Solid convert(const geom::Sphere& sphere) {
     solid.kind = lanes::Kind::sphere;
     solid.center = sphere.center;
     solid.radius = sphere.radius;
+    solid.inverse_radius = 1.0 / sphere.radius;
     return solid;
 }
 
@@ -242,6 +244,63 @@ void group(std::vector<int> ranks, lanes::Program& program) {
     program.groups.push_back(result);
 }
 
+/// A colour that lets nothing through.
+const geom::Vec3* plain_colour(const scene::Pigment& pigment) {
+    const auto* solid = std::get_if<scene::SolidColor>(&pigment.pattern);
+    return solid && solid->color.filter == 0.0 && solid->color.transmit == 0.0 ? &solid->color.rgb
+                                                                               : nullptr;
+}
+
+/// The texture of a surface that lanes can shade.
+std::optional<lanes::Paint> make_paint(const RenderScene& scene, const Part& part) {
+    const scene::Texture& texture = texture_of(scene, part);
+    const scene::Finish& finish = texture.finish;
+    if (texture.clear || part.double_illuminate || part.no_shadow || finish.phong != 0.0 ||
+        finish.specular != 0.0 || finish.brilliance != 1.0 || finish.crand != 0.0 ||
+        finish.reflection.is_active())
+        return std::nullopt;
+    lanes::Paint paint;
+    const auto* checker = std::get_if<scene::Checker>(&texture.pigment.pattern);
+    paint.is_checker = checker != nullptr;
+    const geom::Vec3* colours[2] = {plain_colour(checker ? *checker->first : texture.pigment),
+                                    plain_colour(checker ? *checker->second : texture.pigment)};
+    if (!colours[0] || !colours[1]) return std::nullopt;
+    for (int i = 0; i < 2; ++i) paint.colours[i] = *colours[i];
+    const geom::Transform &inner = texture.pigment.transform, &outer = texture.transform;
+    paint.to_cells = inner.inverse_linear() * outer.inverse_linear();
+    paint.shift = -(paint.to_cells * outer.shift() + inner.inverse_linear() * inner.shift());
+    paint.glow = finish.ambient * scene.source.settings.ambient_light + finish.emission;
+    paint.diffuse = finish.diffuse;
+    return paint;
+}
+
+/// Surfaces that lanes can shade, if they can follow all lights.
+void make_paints(const RenderScene& scene, lanes::Program& program) {
+    for (const scene::Light& light : scene.source.lights) {
+        const bool fades = light.fade_distance > 0.0 && light.fade_power > 0.0;
+        if (light.kind != scene::Light::Kind::point || light.parallel || light.shadowless || fades)
+            return;
+        program.lights.push_back({light.position, light.color});
+    }
+    for (lanes::Solid& solid : program.solids) {
+        if (solid.rank >= 0) continue;
+        const auto paint = make_paint(scene, scene.parts[std::size_t(solid.part)]);
+        if (!paint) continue;
+        solid.paint = int(program.paints.size());
+        program.paints.push_back(*paint);
+    }
+}
+
+/// Whether a ray's light is its weight in all channels: nothing but clear glass and paints, and no
+/// sample counts more than another.
+bool is_grey(const lanes::Program& program, const Options& options) {
+    const auto* contrast = std::get_if<ContrastSampling>(&options.sampling);
+    return !program.attenuates && !program.has_dressed && !(contrast && contrast->method == 2) &&
+           std::ranges::all_of(program.solids, [](const auto& solid) {
+               return solid.rank >= 0 || solid.paint >= 0;
+           });
+}
+
 lanes::Program make(const RenderScene& scene, const Options& options) {
     if (options.interior != InteriorMode::sweep) throw CannotHave{"another kind of list"};
     if (options.check_segments) throw CannotHave{"checks along each ray"};
@@ -273,6 +332,7 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         if (member.in_group) {
             member.center = sphere->center;
             member.radius = sphere->radius;
+            member.inverse_radius = 1.0 / sphere->radius;
             small.push_back(int(rank));
         } else {
             program.solids.push_back(make_solid(part, members[rank]));
@@ -299,16 +359,16 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     for (std::size_t rank = 0; rank < members.size(); ++rank)
         program.members[rank].stronger = places_above(int(rank), int(members.size()));
     for (lanes::Solid& solid : program.solids) {
-        if (solid.rank >= 0)
-            solid.stronger = program.members[std::size_t(solid.rank)].stronger;
+        if (solid.rank >= 0) solid.stronger = program.members[std::size_t(solid.rank)].stronger;
     }
     program.has_dressed =
         std::ranges::any_of(program.members, [](const auto& member) { return !member.clear; });
     program.ior_tells_medium = ior_tells_medium(program);
     program.has_foreign = std::ranges::any_of(
         program.solids, [](const auto& solid) { return lanes::is_foreign(solid.kind); });
-    program.has_lights = !scene.source.lights.empty();
     program.attenuates = scene.has_attenuation;
+    make_paints(scene, program);
+    program.grey = is_grey(program, options);
 
     program.tolerance_units = scene.tolerance_units;
     program.contact_tolerance = scene.contact_tolerance;

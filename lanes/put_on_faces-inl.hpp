@@ -1,0 +1,103 @@
+// Third stage of a step: where on a surface the rays are, and its normal there.
+
+#if defined(MENISCUS_LANES_PUT_ON_FACES) == defined(HWY_TARGET_TOGGLE)
+#ifdef MENISCUS_LANES_PUT_ON_FACES
+#undef MENISCUS_LANES_PUT_ON_FACES
+#else
+#define MENISCUS_LANES_PUT_ON_FACES
+#endif
+
+#include "lanes/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace meniscus::lanes::HWY_NAMESPACE {
+
+/// Points on a face of one of the host's own solids.
+HWY_INLINE FacePoint Kernel::ask_face(const Solid& solid, M which, const F3& point, F face) {
+    Doubles x{point.x}, y{point.y}, z{point.z}, nx{F(0.0)}, ny{F(1.0)}, nz{F(0.0)};
+    const Doubles faces(face);
+    for_each(which, [&](std::size_t lane) {
+        geom::Vec3 p{x[lane], y[lane], z[lane]};
+        const geom::Vec3 n = host_.put_on_face(solid, geom::Face(faces[lane]), p);
+        x[lane] = p.x;
+        y[lane] = p.y;
+        z[lane] = p.z;
+        nx[lane] = n.x;
+        ny[lane] = n.y;
+        nz[lane] = n.z;
+    });
+    return {{load(x.at), load(y.at), load(z.at)}, {load(nx.at), load(ny.at), load(nz.at)}};
+}
+
+/// Puts the points of an event on the faces that own it.
+HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
+    const Rays& rays = batch.rays;
+    const M by_member = but_not(batch.met, batch.same | batch.by_surface);
+    batch.point = rays.world.origin + batch.t * rays.world.direction;
+    batch.normal = F3(geom::Vec3{0.0, 1.0, 0.0});
+    F owner_magnitude(program_.one_tolerance ? program_.largest_magnitude : 0.0);
+    // Spheres are alike: all lanes that are on one, at once.
+    Round round;
+    round.which = no_lanes();
+    round.center = F3(geom::Vec3{0.0});
+    round.radius = round.inverse_radius = F(1.0);
+    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
+        const Solid& solid = program_.solids[i];
+        if (!batch.is_near[i] && !solid.inverse) continue;
+        const M here = solid.rank < 0 ? batch.by_surface & (batch.surface == F(double(i)))
+                                      : by_member & (batch.owner == F(double(solid.rank)));
+        if (solid.kind == Kind::sphere && !solid.placed && !solid.inverse) {
+            round.add(here, F3(solid.center), F(solid.radius), F(solid.inverse_radius));
+        } else {
+            if (!any(here)) continue;
+            const FacePoint put = is_foreign(solid.kind)
+                                      ? ask_face(solid, here, batch.point, batch.face)
+                                      : face_point(solid, batch.point, batch.face);
+            batch.point = select(here, put.point, batch.point);
+            batch.normal =
+                select(here, solid.inverse ? F(-1.0) * put.normal : put.normal, batch.normal);
+        }
+        if (!program_.one_tolerance)
+            owner_magnitude = select(here, F(solid.magnitude), owner_magnitude);
+    }
+    if (batch.near_spheres != 0) add_small_spheres(batch, by_member, round, owner_magnitude);
+    if (any(round.which)) {
+        const F3 e = batch.point - round.center;
+        // The point is on the sphere but for rounding: a step of Newton's method for 1 / length.
+        const F share = dot(e, e) * (round.inverse_radius * round.inverse_radius);
+        const F3 n = (round.inverse_radius * (F(1.5) - F(0.5) * share)) * e;
+        batch.normal = select(round.which, n, batch.normal);
+        batch.point = select(round.which, round.center + round.radius * n, batch.point);
+    }
+    batch.magnitude = rays.largest + batch.t + owner_magnitude;
+}
+
+/// The lanes whose events small spheres own.
+HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M by_member, Round& round,
+                                          F& owner_magnitude) const {
+    const Doubles ranks(batch.owner);
+    Doubles x, y, z, radius, inverse, magnitude;
+    std::uint32_t here = 0;
+    for_each(batch.near_spheres & bits(by_member), [&](std::size_t lane) {
+        const int rank = int(ranks[lane]);
+        const Member& member = program_.members[std::size_t(rank)];
+        if (!member.in_group) return;
+        x[lane] = member.center.x;
+        y[lane] = member.center.y;
+        z[lane] = member.center.z;
+        radius[lane] = member.radius;
+        inverse[lane] = member.inverse_radius;
+        magnitude[lane] = magnitudes_[std::size_t(rank)];
+        here |= 1u << lane;
+    });
+    if (here == 0) return;
+    const M which = mask_of(here);
+    round.add(which, {load(x.at), load(y.at), load(z.at)}, load(radius.at), load(inverse.at));
+    if (!program_.one_tolerance)
+        owner_magnitude = select(which, load(magnitude.at), owner_magnitude);
+}
+
+}  // namespace meniscus::lanes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
