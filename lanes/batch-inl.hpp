@@ -66,7 +66,7 @@ struct SphereStretch {
     int rank;
 };
 struct SphereStretches {
-    static constexpr int most = 12;
+    static constexpr int most = 24;
     SphereStretch at[most];
     int size;
 };

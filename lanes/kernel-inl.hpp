@@ -46,6 +46,7 @@ private:
     template <bool exact>
     HWY_INLINE M list_small_spheres(Batch& batch, F low_bound, F high_bound, F pivot, F reach,
                                     M crossed, M& torn, Top& before, Top& after);
+    HWY_INLINE M are_both(const Tie& tie, const List& list) const;
     HWY_INLINE void hand_over(Batch& batch, RayStack& stack);
     HWY_INLINE void count_event(Batch& batch);
     HWY_INLINE void tell_surfaces(Batch& batch);

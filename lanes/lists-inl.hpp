@@ -38,6 +38,19 @@ inline void Kernel::find_event(Batch& batch) {
     make_lists<true>(batch);
 }
 
+/// The rays that are inside of two kinds of a tie.
+HWY_INLINE M Kernel::are_both(const Tie& tie, const List& list) const {
+    M one = no_lanes(), two = one;
+    for (const Places& kind : tie.kinds) {
+        M inside = no_lanes();
+        for (int w = 0; w < program_.words; ++w)
+            inside = inside | shares(list.word[w], U(kind[std::size_t(w)]));
+        two = two | (one & inside);
+        one = one | inside;
+    }
+    return two;
+}
+
 /// With `exact` bounds, or with one coarse bound for all: false if then more than one crossing lies
 /// within it.
 template <bool exact>
@@ -122,6 +135,8 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch) {
             list_small_spheres<exact>(batch, low, high, pivot, reach, crossed, torn, before, after);
         if (!exact && any(more)) return false;
     }
+    for (const Tie& tie : program_.ties)
+        torn = torn | are_both(tie, batch.before) | are_both(tie, batch.after);
     batch.unsure = rays.active & (batch.unsure | (batch.met & torn));
     batch.before_top = before;
     batch.after_top = after;

@@ -110,13 +110,20 @@ struct Light {
     geom::Vec3 position, colour;
 };
 
+/// Members of one priority that may meet though they are unlike: by kinds, those of one kind are
+/// alike. Which of two kinds a ray entered last no rank can say; so a ray that is in both is left
+/// to the host.
+struct Tie {
+    std::vector<Places> kinds;
+};
+
 /// A scene as tables: what the kernel needs to know of it and no more. Ranks sort the members by
-/// priority; two members of one priority must be alike or apart, since a rank cannot say which was
-/// entered last.
+/// priority.
 struct Program {
     std::vector<Solid> solids;
     std::vector<Group> groups;
     std::vector<Member> members;  // by rank
+    std::vector<Tie> ties;
     std::vector<Paint> paints;
     std::vector<Light> lights;                               // if there are paints
     Member outside;                                          // the medium around everything

@@ -86,24 +86,33 @@ public:
         capacity_ = capacity;
     }
 
-    void push(const WaitingRay& ray) {
-        reserve(size_ + 1);
-        const std::size_t i = size_++;
+    void push(const WaitingRay& ray) { push_alike(ray, 1); }
+    /// Pushes copies; returns where the first of them is.
+    std::size_t push_alike(const WaitingRay& ray, std::size_t count) {
+        reserve(size_ + count);
+        const std::size_t first = size_;
+        size_ += count;
+        const auto numbers = [&](int field, double x) {
+            std::fill_n((*this)[Field(field)] + first, count, x);
+        };
+        const auto words = [&](int field, std::uint64_t x) {
+            std::fill_n(this->word(Field(field)) + first, count, x);
+        };
         for (int axis = 0; axis < 3; ++axis) {
-            (*this)[Field(ox + axis)][i] = ray.origin[axis];
-            (*this)[Field(dx + axis)][i] = ray.direction[axis];
-            (*this)[Field(red + axis)][i] = ray.throughput[axis];
+            numbers(ox + axis, ray.origin[axis]);
+            numbers(dx + axis, ray.direction[axis]);
+            numbers(red + axis, ray.throughput[axis]);
         }
-        (*this)[weight][i] = ray.weight;
-        (*this)[t_max][i] = ray.t_max;
-        (*this)[birth][i] = ray.birth_magnitude;
-        (*this)[way][i] = ray.way_before;
-        word(code)[i] = ray.code;
-        word(key)[i] = ray.key;
-        for (int w = 0; w < list_words; ++w)
-            word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
-        word(contacts)[i] = ray.contacts;
-        word(sphere_contacts)[i] = ray.sphere_contacts;
+        numbers(weight, ray.weight);
+        numbers(t_max, ray.t_max);
+        numbers(birth, ray.birth_magnitude);
+        numbers(way, ray.way_before);
+        words(code, ray.code);
+        words(key, ray.key);
+        for (int w = 0; w < list_words; ++w) words(inside + w, ray.inside[std::size_t(w)]);
+        words(contacts, ray.contacts);
+        words(sphere_contacts, ray.sphere_contacts);
+        return first;
     }
 
 private:

@@ -28,6 +28,7 @@ LaneHost::LaneHost(const RenderScene& scene, const Options& options, const lanes
     const geom::Ray ray = camera_ray(scene.source.camera, 0.5 * options.width, 0.5 * options.height,
                                      options.width, options.height);
     list_start(tree.events().start(ray, RayKind::image), start_);
+    start_.origin = ray.origin;
 }
 
 /// Whether all camera rays start in one place that is clear of every surface. Then they share one
@@ -60,6 +61,25 @@ void LaneHost::list_start(const TracedRay& start, lanes::WaitingRay& ray) const 
     ray.birth_magnitude = start.birth_magnitude;
 }
 
+/// Whether a list does not say which of two solids is on top.
+bool LaneHost::is_tied(const lanes::Places& inside) const {
+    return std::ranges::any_of(program_.ties, [&](const lanes::Tie& tie) {
+        return std::ranges::count_if(tie.kinds, [&](const lanes::Places& kind) {
+                   for (std::size_t w = 0; w < kind.size(); ++w) {
+                       if (inside[w] & kind[w]) return true;
+                   }
+                   return false;
+               }) > 1;
+    });
+}
+
+void LaneHost::add_light(const Sample& sample, const Rgb& light) {
+    std::int64_t* sum = &sums_[4 * sample.target];
+    for (int i = 0; i < 3; ++i)
+        sum[i] += std::int64_t(std::llrint(sample.weight * light[i] * program_.units));
+    ++sum[3];
+}
+
 void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
     sums_.assign(4 * targets, 0);
     samples_ = &samples;
@@ -78,17 +98,18 @@ void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
 }
 
 void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
-    const std::size_t end = std::min(samples_->size(), next_sample_ + wanted);
-    for (; next_sample_ < end; ++next_sample_) {
+    if (same_start_) return more_like_rays(stack, wanted);
+    for (; wanted > 0 && next_sample_ < samples_->size(); ++next_sample_) {
         const Sample& sample = (*samples_)[next_sample_];
         const geom::Ray camera =
             camera_ray(scene_.source.camera, sample.x, sample.y, options_.width, options_.height);
         ++statistics_.camera_rays;
+        const TracedRay start = tree_.events().start(camera, RayKind::image);
         lanes::WaitingRay ray;
-        if (same_start_) {
-            ray = start_;
-        } else {
-            list_start(tree_.events().start(camera, RayKind::image), ray);
+        list_start(start, ray);
+        if (is_tied(ray.inside)) {
+            add_light(sample, tree_.radiance(start, sample.key));
+            continue;
         }
         ray.origin = camera.origin;
         ray.direction = camera.direction;
@@ -96,7 +117,29 @@ void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
         ray.code = sample.target;
         ray.key = sample.key;
         stack.push(ray);
+        --wanted;
     }
+}
+
+/// Camera rays that share all but their directions.
+void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
+    using Stack = lanes::RayStack;
+    const std::size_t count = std::min(wanted, samples_->size() - next_sample_);
+    const std::size_t first = stack.push_alike(start_, count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample& sample = (*samples_)[next_sample_ + i];
+        const Vec3 direction =
+            camera_ray(scene_.source.camera, sample.x, sample.y, options_.width, options_.height)
+                .direction;
+        for (int axis = 0; axis < 3; ++axis) {
+            stack[Stack::Field(Stack::dx + axis)][first + i] = direction[axis];
+            stack[Stack::Field(Stack::red + axis)][first + i] = sample.weight;
+        }
+        stack.word(Stack::code)[first + i] = sample.target;
+        stack.word(Stack::key)[first + i] = sample.key;
+    }
+    next_sample_ += count;
+    statistics_.camera_rays += count;
 }
 
 const scene::Interior& LaneHost::medium_at(int rank) const {

@@ -38,7 +38,10 @@ private:
     }
     void list_start(const TracedRay& start, lanes::WaitingRay& ray) const;
     scene::Rgb pass_shadow(const lanes::Surface& surface, lanes::RayStack& stack);
+    void more_like_rays(lanes::RayStack& stack, std::size_t wanted);
     bool is_camera_in_the_open() const;
+    bool is_tied(const lanes::Places& inside) const;
+    void add_light(const Sample& sample, const scene::Rgb& light);
 
     const RenderScene& scene_;
     const Options& options_;

@@ -121,22 +121,58 @@ lanes::Solid make_solid(const Part& part, int index) {
     return solid;
 }
 
-/// Two members of one priority must be alike or never meet: a rank cannot say which of them was
-/// entered last.
-void check_ties(const RenderScene& scene, const std::vector<int>& members) {
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        const Part& a = scene.parts[std::size_t(members[i])];
-        for (std::size_t j = i + 1; j < members.size(); ++j) {
-            const Part& b = scene.parts[std::size_t(members[j])];
-            if (a.priority != b.priority) break;  // sorted
-            const bool alike = medium(scene, a.solid).same_medium(medium(scene, b.solid)) &&
-                               texture_of(scene, a).clear && texture_of(scene, b).clear;
-            if (alike) continue;
-            const double margin = 1e-6 * scene.size;
-            if (a.inverse || b.inverse ||
-                overlap(a.shape.bounds().padded(margin), b.shape.bounds()))
-                throw CannotHave{"unlike solids of one priority that may meet"};
+/// Whether it makes no difference which of two members of one priority a ray entered last.
+bool are_alike(const RenderScene& scene, const Part& a, const Part& b) {
+    return medium(scene, a.solid).same_medium(medium(scene, b.solid)) &&
+           texture_of(scene, a).clear && texture_of(scene, b).clear;
+}
+
+bool may_meet(const RenderScene& scene, const Part& a, const Part& b) {
+    const double margin = 1e-6 * scene.size;
+    return a.inverse || b.inverse || overlap(a.shape.bounds().padded(margin), b.shape.bounds());
+}
+
+void mark(lanes::Places& places, std::size_t place) { places[place / 64] |= 1ull << (place % 64); }
+
+/// What is stronger than each member, and the ties; `members` are sorted by priority.
+void compare_priorities(const RenderScene& scene, const std::vector<int>& members,
+                        lanes::Program& program) {
+    const auto part = [&](std::size_t rank) -> const Part& {
+        return scene.parts[std::size_t(members[rank])];
+    };
+    for (std::size_t first = 0, end; first < members.size(); first = end) {
+        end = first + 1;
+        while (end < members.size() && part(end).priority == part(first).priority) ++end;
+        std::vector<std::size_t> tied;
+        for (std::size_t i = first; i < end; ++i) {
+            lanes::Places& stronger = program.members[i].stronger;
+            bool is_tied = false;
+            for (std::size_t j = first; j < members.size(); ++j) {
+                const bool is_unlike = j < end && !are_alike(scene, part(i), part(j)) && i != j;
+                if (j > i && !is_unlike) mark(stronger, j);
+                if (!is_unlike || !may_meet(scene, part(i), part(j))) continue;
+                // Between these is no surface, whatever they look like.
+                if (part(i).solid == part(j).solid)
+                    throw CannotHave{"parts of one solid that meet and are not clear"};
+                is_tied = true;
+            }
+            if (is_tied) tied.push_back(i);
         }
+        if (tied.empty()) continue;
+        lanes::Tie tie;
+        std::vector<std::size_t> examples;
+        for (const std::size_t i : tied) {
+            const auto like = std::ranges::find_if(examples, [&](std::size_t example) {
+                return are_alike(scene, part(i), part(example));
+            });
+            const auto kind = std::size_t(like - examples.begin());
+            if (like == examples.end()) {
+                examples.push_back(i);
+                tie.kinds.emplace_back();
+            }
+            mark(tie.kinds[kind], i);
+        }
+        program.ties.push_back(tie);
     }
 }
 
@@ -175,14 +211,6 @@ lanes::Member make_member(const RenderScene& scene, int index,
     member.medium = std::uint32_t(alike - media.begin());
     if (alike == media.end()) media.push_back(&interior);
     return member;
-}
-
-/// The places of all members of higher rank.
-lanes::Places places_above(int rank, int members) {
-    lanes::Places places{};
-    for (int other = rank + 1; other < members; ++other)
-        places[std::size_t(other / 64)] |= 1ull << (other % 64);
-    return places;
 }
 
 bool ior_tells_medium(const lanes::Program& program) {
@@ -315,7 +343,6 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         throw CannotHave{"more than " + std::to_string(lanes::most_members) + " solids"};
     std::ranges::stable_sort(members, {},
                              [&](int part) { return scene.parts[std::size_t(part)].priority; });
-    check_ties(scene, members);
 
     lanes::Program program;
     std::vector<const scene::Interior*> media{&scene.source.settings.outside};
@@ -347,17 +374,20 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
                          " solids beside small spheres"};
     if (!small.empty()) group(std::move(small), program);
+    // A tolerance goes by the larger of two magnitudes: so one half-space, of whatever magnitude,
+    // has no say.
     double least_magnitude = geom::infinity;
+    int half_spaces = 0;
     for (const Part& part : scene.parts) {
-        least_magnitude = std::min(least_magnitude, part.shape.magnitude());
         program.largest_magnitude = std::max(program.largest_magnitude, part.shape.magnitude());
+        if (std::holds_alternative<geom::Plane>(part.shape.shape()) && ++half_spaces == 1) continue;
+        least_magnitude = std::min(least_magnitude, part.shape.magnitude());
     }
     program.one_tolerance = program.largest_magnitude <= alike_magnitudes * least_magnitude;
     int place = int(members.size());
     for (lanes::Solid& solid : program.solids) solid.place = solid.rank >= 0 ? solid.rank : place++;
     program.words = (place + 63) / 64;
-    for (std::size_t rank = 0; rank < members.size(); ++rank)
-        program.members[rank].stronger = places_above(int(rank), int(members.size()));
+    compare_priorities(scene, members, program);
     for (lanes::Solid& solid : program.solids) {
         if (solid.rank >= 0) solid.stronger = program.members[std::size_t(solid.rank)].stronger;
     }

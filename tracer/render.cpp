@@ -39,6 +39,14 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// One of the two sums of a pixel's samples while they go in lanes.
+struct Half {
+    Pixel* pixel;
+    bool is_odd;
+    double weight = 0.0;
+    int count = 0;
+};
+
 /// What one thread needs to follow rays.
 struct Worker {
     Worker(const RenderScene& scene, const Options& options, const lanes::Program* program)
@@ -49,6 +57,7 @@ struct Worker {
     RayTree tree;
     std::optional<LaneHost> host;  // if rays go in lanes
     std::vector<Sample> samples;
+    std::vector<Half> halves;
 };
 
 /// Runs passes over the film, tile by tile on all cores. A pixel belongs to one tile, so no result
@@ -136,7 +145,7 @@ public:
     template <class Plan>
     void follow_in_lanes(Worker& worker, const Region& window, Plan&& plan) {
         worker.samples.clear();
-        std::vector<Half> halves;
+        std::vector<Half>& halves = worker.halves;
         for (int y = window.y0; y < window.y1; ++y) {
             for (int x = window.x0; x < window.x1; ++x) {
                 const std::size_t first = worker.samples.size();
@@ -158,13 +167,6 @@ public:
         }
         follow_in_lanes(worker, halves);
     }
-
-    struct Half {
-        Pixel* pixel;
-        bool is_odd;
-        double weight = 0.0;
-        int count = 0;
-    };
 
     void follow_in_lanes(Worker& worker, std::vector<Half>& halves) {
         if (!worker.samples.empty()) worker.host->run(worker.samples, halves.size());
