@@ -5,6 +5,10 @@
 
 namespace meniscus::geom {
 
+/// How many of its own sizes a solid may lie from the origin before rounding its coordinates there
+/// costs digits that are missed: a point then needs a second vector, a solid a frame of its own.
+inline constexpr double far_from_origin = 1e4;
+
 /// What a face's arithmetic is relative to. Crossings of two faces with the same anchor differ by
 /// rounding as if the origin of coordinates lay there, however far away it is.
 struct Anchor {

@@ -38,11 +38,19 @@ bool moves_exactly(const Transform& transform, const Vec3& p) {
            transform.is_translation();
 }
 
+/// Whether a shape of this size that moves to `center` keeps the digits of its coordinates.
+bool keeps_digits(const Vec3& center, double size) {
+    return max_abs(center) <= far_from_origin * size;
+}
+
 // Each returns whether it could take the transform into the shape's own numbers.
 
 bool take_in(Sphere& sphere, const Transform& transform) {
     const auto scale = similarity_scale(transform.linear());
     if (!scale) return false;
+    if (!keeps_digits(transform.point(sphere.center), sphere.radius * *scale) &&
+        !moves_exactly(transform, sphere.center))
+        return false;
     sphere.center = transform.point(sphere.center);
     sphere.radius *= *scale;
     return true;
@@ -50,8 +58,14 @@ bool take_in(Sphere& sphere, const Transform& transform) {
 
 bool take_in(Box& box, const Transform& transform) {
     if (!keeps_axes(transform.linear())) return false;
-    box.corner1 = transform.point(box.corner1);
-    box.corner2 = transform.point(box.corner2);
+    const Vec3 corner1 = transform.point(box.corner1), corner2 = transform.point(box.corner2);
+    const Vec3 size = glm::abs(corner2 - corner1);
+    if (!keeps_digits(glm::max(glm::abs(corner1), glm::abs(corner2)),
+                      glm::min(size.x, glm::min(size.y, size.z))) &&
+        !(moves_exactly(transform, box.corner1) && moves_exactly(transform, box.corner2)))
+        return false;
+    box.corner1 = corner1;
+    box.corner2 = corner2;
     return true;
 }
 

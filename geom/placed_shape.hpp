@@ -12,8 +12,8 @@ namespace meniscus::geom {
 /// the world ray's.
 class PlacedShape {
 public:
-    /// Takes the transform into the shape's own numbers where that loses nothing (a moved sphere is
-    /// a sphere).
+    /// Takes the transform into the shape's own numbers where that loses nothing that matters (a
+    /// moved sphere is a sphere, but for its digits far from the origin).
     PlacedShape(Shape shape, const Transform& transform);
 
     /// The shape, in the frame from which `transform` leads to the world: the identity if it could

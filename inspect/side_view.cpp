@@ -54,7 +54,7 @@ void add_media(tracer::EventFinder& finder, const geom::Ray& row, double length,
         for (tracer::Contact& contact : ray.contacts) {
             contact.starts_inside = !contact.starts_inside;
         }
-        ray.birth_magnitude = event->magnitude;
+        ray.birth = event->birth;
     }
 }
 

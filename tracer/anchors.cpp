@@ -46,8 +46,8 @@ std::optional<double> radius_of(const geom::Shape& shape) {
 }
 
 /// Whether some of the parts, which share an anchor, may have a film between them that the plain
-/// tolerance closes. Of round ones about one centre or axis that is seen; others are only asked
-/// how far away they are.
+/// tolerance closes. Of round ones about one centre or axis that is seen; others, which may have a
+/// film of their own, are only asked how far away they are.
 bool ask_for_anchor(const std::vector<Candidate>& all, std::size_t begin, std::size_t end,
                     double scene_reach) {
     std::vector<double> radii;
@@ -57,7 +57,8 @@ bool ask_for_anchor(const std::vector<Candidate>& all, std::size_t begin, std::s
         size = std::max(size, anchor.size);
         if (all[i].radius && anchor.kind != geom::Anchor::Kind::frame) {
             radii.push_back(*all[i].radius);
-        } else if (geom::max_abs(anchor.point) > far_from_origin * anchor.size) {
+        } else if (geom::max_abs(anchor.point) > geom::far_from_origin * anchor.size &&
+                   (anchor.kind == geom::Anchor::Kind::frame || end - begin > 1)) {
             return true;
         }
     }
@@ -90,7 +91,6 @@ void find_anchors(RenderScene& scene) {
     });
     for (std::size_t begin = 0, end = 0; begin < candidates.size(); begin = end) {
         while (end < candidates.size() && candidates[end].key == candidates[begin].key) ++end;
-        if (end - begin < 2) continue;
         if (!ask_for_anchor(candidates, begin, end, 2.0 * farthest + scene.size)) continue;
         const geom::Anchor& first = candidates[begin].anchor;
         SharedAnchor shared{first.point, 0.0, first.face};

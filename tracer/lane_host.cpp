@@ -58,7 +58,7 @@ void LaneHost::list_start(const TracedRay& start, lanes::WaitingRay& ray) const 
         const int rank = rank_of_part_[std::size_t(member.part)];
         ray.inside[std::size_t(rank / 64)] |= 1ull << (rank % 64);
     }
-    ray.birth_magnitude = start.birth_magnitude;
+    ray.birth_magnitude = start.birth.magnitude;
 }
 
 /// Whether a list does not say which of two solids is on top.
@@ -284,7 +284,7 @@ Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     TracedRay& traced = pending.ray;
     traced.ray.origin = ray.origin;
     traced.ray.direction = ray.direction;
-    traced.birth_magnitude = ray.birth_magnitude;
+    traced.birth.magnitude = ray.birth_magnitude;
     for (std::size_t rank = 0; rank < program_.members.size(); ++rank) {
         if (is_bit(ray.inside, int(rank))) traced.interior.enter(program_.members[rank].part);
     }

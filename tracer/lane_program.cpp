@@ -192,7 +192,7 @@ void check_parts(const RenderScene& scene) {
         smallest = std::min({smallest, size.x, size.y, size.z});
         farthest = std::max({farthest, geom::max_abs(bounds.low), geom::max_abs(bounds.high)});
     }
-    if (farthest > far_from_origin * smallest)
+    if (farthest > geom::far_from_origin * smallest)
         throw CannotHave{"solids too far from the origin for their size"};
     if (!scene.anchors.empty()) throw CannotHave{"thin films far from the origin"};
 }

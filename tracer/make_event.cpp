@@ -39,7 +39,7 @@ Event EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner
     event.solid_after = after.top_solid(scene_);
     event.normal = part.shape.normal(owner.face, event.origin);
     if (part.inverse) event.normal = -event.normal;
-    event.magnitude = offers_.magnitude(ray, owner.part, t);
+    event.birth.magnitude = offers_.magnitude(ray, owner.part, t);
     return event;
 }
 

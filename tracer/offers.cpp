@@ -20,16 +20,32 @@ double Offers::cosine(const TracedRay& ray, const Part& part, geom::Face face, d
 }
 
 double Offers::start_magnitude(const TracedRay& ray, const Part& part) const {
-    return std::max(ray.birth_magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    if (part.anchor != no_anchor && part.anchor == ray.birth.anchor) {
+        const SharedAnchor& anchor = scene_.anchors[std::size_t(part.anchor)];
+        if (anchor.face == geom::no_face)
+            return std::max(ray.birth.anchored_magnitude,
+                            geom::max_abs(ray.ray.from(anchor.point))) +
+                   anchor.size;
+    }
+    return std::max(ray.birth.magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+}
+
+int Offers::anchor_of(const Offer& offer) const {
+    const int index = scene_.parts[offer.part].anchor;
+    if (index == no_anchor) return no_anchor;
+    const geom::Face face = scene_.anchors[std::size_t(index)].face;
+    return face == geom::no_face || face == offer.face ? index : no_anchor;
+}
+
+double Offers::magnitude_from(int anchor, const TracedRay& ray, double t) const {
+    const SharedAnchor& from = scene_.anchors[std::size_t(anchor)];
+    return geom::max_abs(ray.ray.from(from.point)) + t + from.size;
 }
 
 double Offers::magnitude(const TracedRay& ray, const Offer& a, const Offer& b) const {
-    const int index = scene_.parts[a.part].anchor;
-    if (index != no_anchor && index == scene_.parts[b.part].anchor) {
-        const SharedAnchor& anchor = scene_.anchors[std::size_t(index)];
-        if (anchor.face == geom::no_face || (a.face == anchor.face && b.face == anchor.face))
-            return geom::max_abs(ray.ray.from(anchor.point)) + std::max(a.t, b.t) + anchor.size;
-    }
+    const int anchor = anchor_of(a);
+    if (anchor != no_anchor && anchor == anchor_of(b))
+        return magnitude_from(anchor, ray, std::max(a.t, b.t));
     return std::max(magnitude(ray, a.part, a.t), magnitude(ray, b.part, b.t));
 }
 

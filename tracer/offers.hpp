@@ -51,6 +51,9 @@ public:
     double magnitude(const TracedRay& ray, int part, double t) const {
         return geom::max_abs(ray.ray.origin) + t + scene_.parts[part].shape.magnitude();
     }
+    /// The anchor that the face crossed has, if any, and M of a crossing from there.
+    int anchor_of(const Offer& offer) const;
+    double magnitude_from(int anchor, const TracedRay& ray, double t) const;
     /// M of two crossings that are compared: from the anchor that they share, if they do.
     double magnitude(const TracedRay& ray, const Offer& a, const Offer& b) const;
 

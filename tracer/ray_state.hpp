@@ -20,14 +20,20 @@ using Contacts = geom::InlineVector<Contact, 4>;
 /// Which objects a ray can meet: no_image, no_reflection and no_shadow hide some of them.
 enum class RayKind { image, reflection, shadow };
 
+/// M of the crossing where a ray was born: bounds how far its origin is off.
+struct Birth {
+    double magnitude = 0.0;
+    int anchor = no_anchor;           // that everything crossed there shares
+    double anchored_magnitude = 0.0;  // M from there
+};
+
 /// A ray with all that it knows about where it starts. The list says whether it is inside; geometry
 /// only says where that changes.
 struct TracedRay {
     geom::Ray ray;
     InteriorList interior;
     Contacts contacts;
-    double birth_magnitude =
-        0.0;  // M of the ray before, where this one was born: bounds how far its origin is off
+    Birth birth;
     RayKind kind = RayKind::image;
 };
 
@@ -45,7 +51,7 @@ struct Event {
     int solid_before = outside, solid_after = outside;
     Contacts contacts;  // of rays that stay on this side; for those that go on `starts_inside` is
                         // flipped
-    double magnitude = 0.0;  // M at the point
+    Birth birth;        // of rays that are born here
 };
 
 }  // namespace meniscus::tracer

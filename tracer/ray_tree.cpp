@@ -147,7 +147,7 @@ RayTree::Pending RayTree::reflected(const Pending& parent, const Event& event,
     child.ray.ray.direction = mirrored(parent.ray.ray.direction, event.normal, shading_normal);
     child.ray.interior = event.before;
     child.ray.contacts = event.contacts;
-    child.ray.birth_magnitude = event.magnitude;
+    child.ray.birth = event.birth;
     child.ray.kind = RayKind::reflection;
     child.throughput = parent.throughput;
     child.weight = parent.weight;
@@ -166,7 +166,7 @@ RayTree::Pending RayTree::transmitted(const Pending& parent, const Event& event,
     child.ray.interior = event.after;
     child.ray.contacts = event.contacts;
     for (Contact& contact : child.ray.contacts) contact.starts_inside = !contact.starts_inside;
-    child.ray.birth_magnitude = event.magnitude;
+    child.ray.birth = event.birth;
     child.ray.kind = parent.ray.kind;
     child.throughput = parent.throughput;
     child.weight = parent.weight;

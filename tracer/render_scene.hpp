@@ -54,10 +54,6 @@ struct RenderScene {
 
 RenderScene compile(scene::Scene scene);
 
-/// How many of its own sizes a solid may lie from the origin before its points need a second vector
-/// to keep their digits.
-inline constexpr double far_from_origin = 1e4;
-
 /// Finds the anchors that the scene asks for. `scene`'s parts and size are complete.
 void find_anchors(RenderScene& scene);
 

@@ -52,7 +52,7 @@ Rgb RayTree::unshadowed(TracedRay shadow, double distance, double way) {
         shadow.interior = hit->after;
         shadow.contacts = hit->contacts;
         for (Contact& contact : shadow.contacts) contact.starts_inside = !contact.starts_inside;
-        shadow.birth_magnitude = hit->magnitude;
+        shadow.birth = hit->birth;
     }
 }
 

@@ -12,7 +12,7 @@ TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
     TracedRay result;
     result.ray = ray;
     result.kind = kind;
-    result.birth_magnitude = geom::max_abs(ray.origin);
+    result.birth.magnitude = geom::max_abs(ray.origin);
     if (!scene_.has_members || options_.interior == InteriorMode::off) return result;
 
     struct Start {

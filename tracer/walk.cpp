@@ -143,6 +143,13 @@ Event EventFinder::make_group_event(const TracedRay& ray, std::size_t pivot, con
         if (crossings_of_part == 1)
             event.contacts.push_back({offer.part, offer.face, !offer.entering});
     }
+    const int anchor = offers_.anchor_of(owner);
+    if (anchor != no_anchor && std::ranges::all_of(group_, [&](std::uint32_t i) {
+            return offers_.anchor_of(found_[i]) == anchor;
+        })) {
+        event.birth.anchor = anchor;
+        event.birth.anchored_magnitude = offers_.magnitude_from(anchor, ray, event.t);
+    }
     ++statistics_.true_crossings;
     return event;
 }

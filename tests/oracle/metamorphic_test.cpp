@@ -154,7 +154,7 @@ TEST_CASE("light goes back the way it came", "[oracle][metamorphic]") {
                 ray.ray.direction = *refracted;
                 ray.interior = event->after;
                 ray.contacts = event->contacts;
-                ray.birth_magnitude = event->magnitude;
+                ray.birth = event->birth;
             }
             return way;
         };

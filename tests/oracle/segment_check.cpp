@@ -70,7 +70,7 @@ SegmentCheck check_segments(const scene::Scene& source, std::uint64_t seed,
             ray.ray.direction = goes_through ? *refracted : tracer::reflect(d, n);
             ray.interior = goes_through ? event->after : event->before;
             ray.contacts = event->contacts;
-            ray.birth_magnitude = event->magnitude;
+            ray.birth = event->birth;
         }
     }
     check.leaks = statistics.leaks;

@@ -153,7 +153,7 @@ private:
                 continue;
             any = &m;
             const V p = o + m.t * d,
-                    step = Real(1e6) * contact_ * bodies_[m.object].normal(m.face, p);
+                    step = Real(8) * contact_ * bodies_[m.object].normal(m.face, p);
             if (bodies_[m.object].contains(p - step) && !bodies_[m.object].contains(p + step))
                 return m;
         }
