@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/model_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/validators.hpp"
 #include "image/file.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 struct InspectOptions {
     SceneOptions scene;
+    ModelOptions model;
     int x = 0, y = 0;
     tracer::Options tracer{
         .region = {}, .tree = tracer::Tree::whitted, .instruction_set = {}, .progress = {}};
@@ -49,9 +51,13 @@ ExitCode run(InspectOptions options) {
         throw UsageError(fmt::format("the pixel {} {} does not lie in a picture of {} x {}",
                                      options.x, options.y, options.tracer.width,
                                      options.tracer.height));
+    check_usage(options.model);
     if (!options.svg.empty()) image::check_writable(options.svg);
 
-    const auto scene = tracer::compile(read_scene(options.scene).scene);
+    auto source = read_scene(options.scene).scene;
+    if (options.model.has_films())
+        source = povray::with_films(std::move(source), *options.model.gap).scene;
+    const auto scene = tracer::compile(std::move(source));
     const inspect::Names names(scene.source);
     const auto trace = inspect::trace_pixel(scene, names, options.tracer, options.x, options.y);
     if (!options.svg.empty())
@@ -70,6 +76,7 @@ Command make_inspect_command(CLI::App& app) {
         "inspect", "Show one pixel's ray tree: each crossing, true or false and why");
     const auto options = std::make_shared<InspectOptions>();
     add_scene_options(*command, options->scene);
+    add_model_options(*command, options->model);
     command->add_option("X", options->x, "The pixel's column, from 0 at the left")
         ->required()
         ->type_name("");

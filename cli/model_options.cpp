@@ -2,7 +2,27 @@
 
 #include <fmt/format.h>
 
+#include "cli/exit_code.hpp"
+#include "cli/validators.hpp"
+
 namespace meniscus::cli {
+
+void add_model_options(CLI::App& app, ModelOptions& options) {
+    app.add_option("--model", options.model,
+                   "contact: solids as the scene says; gap: with films of the outside's medium "
+                   "where one cuts another, as a gap in POV-Ray is")
+        ->check(CLI::IsMember({"contact", "gap"}))
+        ->type_name("MODEL")
+        ->capture_default_str();
+    app.add_option("--gap", options.gap, "--model gap: the films' thickness in scene units")
+        ->check(positive())
+        ->type_name("G");
+}
+
+void check_usage(const ModelOptions& options) {
+    if (options.has_films() != options.gap.has_value())
+        throw UsageError("--model gap and --gap G, the films' thickness, go together");
+}
 
 void print_film(const std::optional<povray::Thickness>& thickness) {
     if (!thickness) return fmt::print(stderr, "no films: no solid cuts another\n");

@@ -1,10 +1,25 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
+#include <string>
 
 #include "povray/film.hpp"
 
 namespace meniscus::cli {
+
+/// How solids meet: as the scene says, or with films of the outside's medium between them.
+struct ModelOptions {
+    std::string model = "contact";
+    std::optional<double> gap;
+
+    bool has_films() const { return model == "gap"; }
+};
+
+void add_model_options(CLI::App& app, ModelOptions& options);
+
+/// Throws UsageError for words that do not go together.
+void check_usage(const ModelOptions& options);
 
 /// How thick the films of the gap model really are, on standard error.
 void print_film(const std::optional<povray::Thickness>& thickness);

@@ -26,8 +26,7 @@ struct RenderOptions {
     TracerOptions tracer;
     PictureOptions picture;
     std::string json;  // a file, or "-"
-    std::string model = "contact";
-    std::optional<double> gap;
+    ModelOptions model;
     bool strict = false, quiet = false;
 };
 
@@ -73,8 +72,7 @@ void keep_layers(image::Image& picture, const std::vector<std::string>& names) {
 
 ExitCode run(RenderOptions options) {
     resolve_depth(options);
-    if ((options.model == "gap") != options.gap.has_value())
-        throw UsageError("--model gap and --gap G, the films' thickness, go together");
+    check_usage(options.model);
     auto target = make_target(options.picture, options.scene.stem());
     auto tracer_options = make_tracer_options(options.tracer, options.scene);
     tracer_options.layers = !target.layers.empty();
@@ -89,8 +87,8 @@ ExitCode run(RenderOptions options) {
     const auto parse = stopwatch.lap();
     if (interpreted.scene.settings.raw_output && options.picture.encoding.empty())
         target.save.png.encoding = image::Encoding::raw;
-    if (options.model == "gap") {
-        auto filmed = povray::with_films(std::move(interpreted.scene), *options.gap);
+    if (options.model.has_films()) {
+        auto filmed = povray::with_films(std::move(interpreted.scene), *options.model.gap);
         if (!options.quiet) print_film(filmed.thickness);
         interpreted.scene = std::move(filmed.scene);
     }
@@ -142,16 +140,7 @@ Command make_render_command(CLI::App& app) {
     command
         ->add_option("--json", options->json, "Write what was done, as JSON; - is standard output")
         ->type_name("FILE|-");
-    command
-        ->add_option("--model", options->model,
-                     "contact: solids as the scene says; gap: with films of the outside's medium "
-                     "where one cuts another, as a gap in POV-Ray is")
-        ->check(CLI::IsMember({"contact", "gap"}))
-        ->type_name("MODEL")
-        ->capture_default_str();
-    command->add_option("--gap", options->gap, "--model gap: the films' thickness in scene units")
-        ->check(positive())
-        ->type_name("G");
+    add_model_options(*command, options->model);
     command->add_flag("--strict", options->strict,
                       "Check each ray's way through the solids; a leak is exit code 4");
     command->add_flag("--quiet", options->quiet, "No progress, no statistics");

@@ -48,6 +48,13 @@ std::string meniscus_line(std::vector<std::string> words, const SceneOptions& op
     return command_line(words);
 }
 
+/// Of our own picture: the scene, or the scene with films.
+std::string own_line(std::vector<std::string> words, const SceneComparisonOptions& options) {
+    if (options.model == povray::Model::gap)
+        words.insert(words.end(), {"--model", "gap", "--gap", fmt::format("{}", options.gap)});
+    return meniscus_line(std::move(words), options.scene);
+}
+
 struct PovRaySide {
     Side side;
     std::vector<std::string> command;
@@ -128,14 +135,13 @@ Side render_by_meniscus(const SceneComparisonOptions& options, const tracer::Ren
         rendered = tracer::render(scene, tracer_options);
         seconds.push_back(rendered.cpu_seconds);
     }
-    return {
-        .name = "Meniscus",
-        .picture = std::move(rendered.picture),
-        .facts = {{"scene", options.scene.scene},
-                  {"CPU seconds of the trace stage", seconds_fact(seconds)},
-                  {"leaks", std::to_string(rendered.statistics.leaks)}},
-        .command = meniscus_line(
-            {"render", options.scene.scene, "--spp", "1", "-o", "meniscus.exr"}, options.scene)};
+    return {.name = "Meniscus",
+            .picture = std::move(rendered.picture),
+            .facts = {{"scene", options.scene.scene},
+                      {"CPU seconds of the trace stage", seconds_fact(seconds)},
+                      {"leaks", std::to_string(rendered.statistics.leaks)}},
+            .command = own_line({"render", options.scene.scene, "--spp", "1", "-o", "meniscus.exr"},
+                                options)};
 }
 
 /// Only the one pixel. Its numbers count from 1, and an end of 1 would mean the whole side.
@@ -160,9 +166,9 @@ std::vector<Explanation> explain(const SceneComparisonOptions& options,
                                 inspect::format_text(scene, names, trace),
                                 inspect::draw_diagram(scene, names, trace),
                                 {{"This pixel's ray tree again:",
-                                  meniscus_line({"inspect", options.scene.scene,
-                                                 std::to_string(pixel.x), std::to_string(pixel.y)},
-                                                options.scene)},
+                                  own_line({"inspect", options.scene.scene, std::to_string(pixel.x),
+                                            std::to_string(pixel.y)},
+                                           options)},
                                  {"This pixel alone by POV-Ray:",
                                   povray_pixel_line(povray_command, pixel.x, pixel.y)}}});
     }

@@ -55,15 +55,14 @@ Pair render_source(const SweepOptions& options, double gap) {
     return pair;
 }
 
+/// At a gap of 0 both get solids whose faces coincide.
 Pair render_export(const SweepOptions& options, const scene::Scene& scene, double gap) {
-    Pair pair{
-        render(options.scene, gap > 0.0 ? povray::with_films(scene, gap).scene : scene), {}, {}};
+    Pair pair{render(options.scene, povray::with_films(scene, gap).scene), {}, {}};
     try {
-        const auto exported = povray::export_scene(
-            scene, {.model = gap > 0.0 ? povray::Model::gap : povray::Model::contact,
-                    .gap = gap,
-                    .scale = gap > 0.0 ? options.scale : std::nullopt,
-                    .source = options.scene.file_name()});
+        const auto exported = povray::export_scene(scene, {.model = povray::Model::gap,
+                                                           .gap = gap,
+                                                           .scale = options.scale,
+                                                           .source = options.scene.file_name()});
         pair.theirs = povray::run_text(exported.text, {.width = options.scene.width,
                                                        .height = options.scene.height,
                                                        .declares = {},

@@ -20,8 +20,8 @@ struct SweepOptions {
 /// "1e-1:1e-9", or "1e-1:1e-9:2" for two steps a decade. Throws `UsageError`.
 std::vector<double> parse_gaps(const std::string& text);
 
-/// Renders all gaps and no gap (0; of an export it is the contact model) by both. Prints a line of
-/// progress for each to standard error.
+/// Renders all gaps and a gap of 0, where faces coincide, by both. Prints a line of progress for
+/// each to standard error.
 compare::Sweep sweep_gaps(const SweepOptions& options);
 
 }  // namespace meniscus::cli

@@ -13,8 +13,8 @@ namespace {
 using geom::Vec2;
 
 /// No curve is longer than this part of the profile, but for the most cuts.
-constexpr double longest_part = 1.0 / 24.0;
-constexpr double most_cuts = 16.0;
+constexpr double longest_part = 1.0 / 96.0;
+constexpr double most_cuts = 64.0;
 
 std::vector<Vec2> bezier_points(const geom::Profile& profile) {
     std::vector<Vec2> points;

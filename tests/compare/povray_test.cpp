@@ -20,6 +20,24 @@ plane { y, -1.5 pigment { checker color rgb 0.9 color rgb 0.2 } finish { ambient
 sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 1 fresnel } conserve_energy } interior { ior Ior } }
 )";
 
+/// gap -> POV-Ray against the film, against contact; Meniscus against contact.
+std::map<double, std::array<double, 3>> read_sweep(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::map<double, std::array<double, 3>> rmse;
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        std::array<double, 9> cells{};
+        std::istringstream words(line);
+        for (double& cell : cells) {
+            words >> cell;
+            words.get();
+        }
+        rmse[cells[0]] = {cells[1], cells[3], cells[5]};
+    }
+    return rmse;
+}
+
 }  // namespace
 
 TEST_CASE("compare measures a scene against POV-Ray's picture of it", "[compare]") {
@@ -70,20 +88,7 @@ TEST_CASE("a sweep finds where POV-Ray's gap breaks and Meniscus' does not", "[c
                     "--svg s.svg --markdown s.md");
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
-    // gap -> POV-Ray against the film, against contact; Meniscus against contact.
-    std::istringstream csv(program.read("s.csv"));
-    std::map<double, std::array<double, 3>> rmse;
-    std::string line;
-    std::getline(csv, line);
-    while (std::getline(csv, line)) {
-        std::array<double, 9> cells{};
-        std::istringstream words(line);
-        for (double& cell : cells) {
-            words >> cell;
-            words.get();
-        }
-        rmse[cells[0]] = {cells[1], cells[3], cells[5]};
-    }
+    auto rmse = read_sweep(program.read("s.csv"));
     REQUIRE(rmse.size() == 6);
     // POV-Ray ignores hits nearer than 1e-4: a wider film it renders, a thinner one it misses.
     CHECK(rmse.at(1e-2)[0] < 0.02);
@@ -93,6 +98,27 @@ TEST_CASE("a sweep finds where POV-Ray's gap breaks and Meniscus' does not", "[c
     CHECK(rmse.at(0.0)[2] < 1e-6);
     CHECK_THAT(program.read("s.svg"), Contains("<svg"));
     CHECK_THAT(program.read("s.md"), Contains("| 1e-06 |"));
+}
+
+TEST_CASE("a sweep of the paper's glass: films of air, the cliff, and contact at a gap of 0",
+          "[compare]") {
+    const Program program;
+    const auto result = program.run(
+        std::string("compare ") + SCENES_FOLDER +
+        "/the_papers_glass.scene -W 30 -H 40 --scale 1 --sweep-gap 1e-3:1e-5 --csv s.csv");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    auto rmse = read_sweep(program.read("s.csv"));
+    REQUIRE(rmse.size() == 4);
+    // POV-Ray renders a film ten times wider than the 1e-4 within which it sees no second hit, and
+    // not one ten times thinner.
+    CHECK(rmse.at(1e-5)[0] > 5.0 * rmse.at(1e-3)[0]);
+    // The film is another picture than contact for both.
+    CHECK(rmse.at(1e-3)[1] > 0.05);
+    CHECK(rmse.at(1e-5)[2] > 0.05);
+    // Films of no thickness are not there, though glass, water, ice and floor all coincide with
+    // theirs.
+    CHECK(rmse.at(0.0)[2] < 1e-4);
 }
 
 TEST_CASE("a nested scene is exported and its picture matched", "[compare]") {

@@ -49,16 +49,17 @@ TEST_CASE("exported scenes look in POV-Ray as they do here", "[povray]") {
 }
 
 // Films of 1e-4, cut by hand from the lower solids; all pixels count. At the scale of 1 of these
-// sources POV-Ray misses some films of the tumbler, 1e-4 being the nearest that it sees; our own
-// export of the same films is larger.
+// sources 1e-4 is the nearest that POV-Ray sees, and five pixels of the tumbler look through a film
+// that it misses; our own export of the same films is larger, and in it they are right.
 TEST_CASE("hand-written gaps, exported gaps and our films look the same", "[povray]") {
     constexpr double gap = 1e-4;
     constexpr double rounding = 1e-5;  // RMSE of values in steps of 1/65535: 4.4e-6
     const struct {
         const char* name;
         double by_hand;
-    } cases[] = {{"spheres", rounding}, {"tumbler", 2e-3}};
-    for (const auto& [name, by_hand] : cases) {
+        std::size_t missed;
+    } cases[] = {{"spheres", rounding, 0}, {"tumbler", 2e-3, 5}};
+    for (const auto& [name, by_hand, missed] : cases) {
         DYNAMIC_SECTION(name) {
             const auto folder = std::filesystem::path(BENCH_FOLDER);
             povray::RunOptions options{.width = width, .height = height};
@@ -75,6 +76,7 @@ TEST_CASE("hand-written gaps, exported gaps and our films look the same", "[povr
             const auto hand_written = test::difference(theirs, ours);
             INFO(hand_written.text());
             CHECK(hand_written.rmse <= by_hand);
+            CHECK(test::difference(theirs, ours, missed).rmse <= rounding);
 
             const auto again = povray::run_text(test::export_golden(scene, films).text,
                                                 {.width = width, .height = height});
@@ -83,13 +85,6 @@ TEST_CASE("hand-written gaps, exported gaps and our films look the same", "[povr
             CHECK(own.rmse <= rounding);
         }
     }
-}
-
-// Off are pixels in the rim and the heel of the glass, where light is totally reflected again and
-// again, and where it leaves the glass level, towards far squares of the floor.
-TEST_CASE("the paper's glass of water, in contact, looks the same in POV-Ray", "[povray]") {
-    check(std::filesystem::path(EXAMPLES_FOLDER) / "glass_of_water.scene",
-          {povray::Model::contact, 0.0, 5e-5, 0.3, "contact"});
 }
 
 // The examples are busy: at this size most pixels have an edge near them, and few are left to see.
