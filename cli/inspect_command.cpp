@@ -54,10 +54,8 @@ ExitCode run(InspectOptions options) {
     check_usage(options.model);
     if (!options.svg.empty()) image::check_writable(options.svg);
 
-    auto source = read_scene(options.scene).scene;
-    if (options.model.has_films())
-        source = povray::with_films(std::move(source), *options.model.gap).scene;
-    const auto scene = tracer::compile(std::move(source));
+    const auto scene =
+        tracer::compile(in_model(read_scene(options.scene).scene, options.model, true));
     const inspect::Names names(scene.source);
     const auto trace = inspect::trace_pixel(scene, names, options.tracer, options.x, options.y);
     if (!options.svg.empty())

@@ -4,14 +4,16 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/validators.hpp"
+#include "povray/plain.hpp"
 
 namespace meniscus::cli {
 
 void add_model_options(CLI::App& app, ModelOptions& options) {
     app.add_option("--model", options.model,
                    "contact: solids as the scene says; gap: with films of the outside's medium "
-                   "where one cuts another, as a gap in POV-Ray is")
-        ->check(CLI::IsMember({"contact", "gap"}))
+                   "where one cuts another, as a gap in POV-Ray is; plain: without priorities, the "
+                   "solid entered last is there")
+        ->check(CLI::IsMember({"contact", "gap", "plain"}))
         ->type_name("MODEL")
         ->capture_default_str();
     app.add_option("--gap", options.gap, "--model gap: the films' thickness in scene units")
@@ -20,8 +22,16 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 }
 
 void check_usage(const ModelOptions& options) {
-    if (options.has_films() != options.gap.has_value())
+    if ((options.model == "gap") != options.gap.has_value())
         throw UsageError("--model gap and --gap G, the films' thickness, go together");
+}
+
+scene::Scene in_model(scene::Scene scene, const ModelOptions& options, bool quiet) {
+    if (options.model == "plain") return povray::without_priorities(std::move(scene));
+    if (options.model == "contact") return scene;
+    auto filmed = povray::with_films(std::move(scene), *options.gap);
+    if (!quiet) print_film(filmed.thickness);
+    return std::move(filmed.scene);
 }
 
 void print_film(const std::optional<povray::Thickness>& thickness) {

@@ -8,18 +8,20 @@
 
 namespace meniscus::cli {
 
-/// How solids meet: as the scene says, or with films of the outside's medium between them.
+/// How solids meet: as the scene says, with films of the outside's medium between them, or without
+/// priorities.
 struct ModelOptions {
     std::string model = "contact";
     std::optional<double> gap;
-
-    bool has_films() const { return model == "gap"; }
 };
 
 void add_model_options(CLI::App& app, ModelOptions& options);
 
 /// Throws UsageError for words that do not go together.
 void check_usage(const ModelOptions& options);
+
+/// The scene as the model has it. How thick films are goes to standard error, unless `quiet`.
+scene::Scene in_model(scene::Scene scene, const ModelOptions& options, bool quiet);
 
 /// How thick the films of the gap model really are, on standard error.
 void print_film(const std::optional<povray::Thickness>& thickness);

@@ -87,12 +87,8 @@ ExitCode run(RenderOptions options) {
     const auto parse = stopwatch.lap();
     if (interpreted.scene.settings.raw_output && options.picture.encoding.empty())
         target.save.png.encoding = image::Encoding::raw;
-    if (options.model.has_films()) {
-        auto filmed = povray::with_films(std::move(interpreted.scene), *options.model.gap);
-        if (!options.quiet) print_film(filmed.thickness);
-        interpreted.scene = std::move(filmed.scene);
-    }
-    const auto render_scene = tracer::compile(std::move(interpreted.scene));
+    const auto render_scene =
+        tracer::compile(in_model(std::move(interpreted.scene), options.model, options.quiet));
     const auto build = stopwatch.lap();
 
     Progress progress;

@@ -9,6 +9,7 @@
 #include "inspect/diagram.hpp"
 #include "inspect/text_report.hpp"
 #include "povray/film.hpp"
+#include "povray/plain.hpp"
 #include "povray/precision.hpp"
 #include "povray/run.hpp"
 #include "tracer/render.hpp"
@@ -152,25 +153,68 @@ std::string povray_pixel_line(std::vector<std::string> command, int x, int y) {
     return command_line(command);
 }
 
+/// The other side as Meniscus can trace it: what POV-Ray tells no ray trees of.
+struct OtherSide {
+    tracer::RenderScene scene;
+    std::string title;
+    std::vector<std::string> words;  // of `inspect`, beside the pixel
+};
+
+/// POV-Ray's own source, if it is one that Meniscus reads, or the scene without priorities; nothing
+/// where the solids are the same as on our side.
+std::optional<OtherSide> make_other_side(const SceneComparisonOptions& options,
+                                         const scene::Scene& scene) {
+    if (options.model == povray::Model::plain)
+        return OtherSide{tracer::compile(povray::without_priorities(scene)),
+                         "The ray tree without priorities, as POV-Ray has it",
+                         {options.scene.scene, "--model", "plain"}};
+    if (options.reference.empty()) return std::nullopt;
+    auto source = options.scene;
+    source.scene = options.reference;
+    source.declarations.emplace_back("Meniscus=1");
+    try {
+        return OtherSide{tracer::compile(povray::with_povrays_iors(interpret_scene(source).scene)),
+                         "The ray tree of POV-Ray's source, as Meniscus reads it",
+                         {options.reference, "--declare", "Meniscus=1"}};
+    } catch (const lang::SourceError&) {
+        return std::nullopt;
+    }
+}
+
+compare::TracedSide trace(const tracer::RenderScene& scene, const tracer::Options& options,
+                          const compare::WorstPixel& pixel, std::string title) {
+    const inspect::Names names(scene.source);
+    const auto traced = inspect::trace_pixel(scene, names, options, pixel.x, pixel.y);
+    return {std::move(title), inspect::format_text(scene, names, traced),
+            inspect::draw_diagram(scene, names, traced)};
+}
+
 std::vector<Explanation> explain(const SceneComparisonOptions& options,
                                  const tracer::RenderScene& scene,
+                                 const std::optional<OtherSide>& other,
                                  const tracer::Options& tracer_options,
                                  const compare::Comparison& comparison,
                                  const std::vector<std::string>& povray_command) {
-    const inspect::Names names(scene.source);
     std::vector<Explanation> explanations;
     for (const auto& pixel : comparison.worst) {
-        const auto trace = inspect::trace_pixel(scene, names, tracer_options, pixel.x, pixel.y);
-        explanations.push_back({pixel.x,
-                                pixel.y,
-                                inspect::format_text(scene, names, trace),
-                                inspect::draw_diagram(scene, names, trace),
-                                {{"This pixel's ray tree again:",
-                                  own_line({"inspect", options.scene.scene, std::to_string(pixel.x),
-                                            std::to_string(pixel.y)},
-                                           options)},
-                                 {"This pixel alone by POV-Ray:",
-                                  povray_pixel_line(povray_command, pixel.x, pixel.y)}}});
+        const auto inspect = [&](std::vector<std::string> words) {
+            words.insert(words.begin(), "inspect");
+            words.insert(words.begin() + 2, {std::to_string(pixel.x), std::to_string(pixel.y)});
+            return words;
+        };
+        auto& explanation = explanations.emplace_back(
+            Explanation{.x = pixel.x, .y = pixel.y, .sides = {}, .commands = {}});
+        explanation.sides.push_back(
+            trace(scene, tracer_options, pixel, "The ray tree of Meniscus"));
+        explanation.commands.push_back(
+            {"This pixel's ray tree again:", own_line(inspect({options.scene.scene}), options)});
+        if (other) {
+            explanation.sides.push_back(trace(other->scene, tracer_options, pixel, other->title));
+            explanation.commands.push_back(
+                {other->title + ", again:", meniscus_line(inspect(other->words), options.scene)});
+        }
+        explanation.commands.push_back(
+            {"This pixel alone by POV-Ray:", povray_pixel_line(povray_command, pixel.x, pixel.y)});
     }
     return explanations;
 }
@@ -184,6 +228,8 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
         options.scene.declarations.emplace_back("Meniscus=1");
     auto source_scene = povray::with_povrays_iors(read_scene(options.scene).scene);
     const auto source = make_source(given, source_scene);
+    const auto other =
+        options.explain ? make_other_side(given, source_scene) : std::optional<OtherSide>();
     if (options.model == povray::Model::gap)
         source_scene = povray::with_films(std::move(source_scene), options.gap).scene;
     const auto scene = tracer::compile(std::move(source_scene));
@@ -217,7 +263,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
     result.words.commands.insert(result.words.commands.end(), pictures.begin(), pictures.end());
     if (options.explain)
         result.words.explanations =
-            explain(options, scene, tracer_options, result.comparison, povray.command);
+            explain(options, scene, other, tracer_options, result.comparison, povray.command);
     return result;
 }
 

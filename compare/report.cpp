@@ -172,14 +172,13 @@ std::string worst_details(const Comparison& comparison, const ReportWords& words
                neighbourhood(comparison.picture, pixel.x, pixel.y) + "</div>\n";
         if (const auto* known = find_explanation(words, pixel)) {
             out += commands(known->commands);
-            if (!known->trace.empty())
-                out += fmt::format("<h3>The ray tree of {}</h3>\n<pre tabindex=\"0\">{}</pre>\n",
-                                   escape(comparison.picture.name), escape(known->trace));
-            if (!known->diagram.empty())
+            for (const auto& side : known->sides) {
+                out += fmt::format("<h3>{}</h3>\n<pre tabindex=\"0\">{}</pre>\n",
+                                   escape(side.title), escape(side.trace));
                 out += fmt::format(
-                    "<img class=\"diagram\" alt=\"The ray tree of pixel {}, {}, seen "
-                    "from the side\" src=\"{}\">\n",
-                    pixel.x, pixel.y, data_uri("image/svg+xml", known->diagram));
+                    "<img class=\"diagram\" alt=\"{}, seen from the side\" src=\"{}\">\n",
+                    escape(side.title), data_uri("image/svg+xml", side.diagram));
+            }
         }
         out += "</details>\n";
     }

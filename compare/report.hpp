@@ -14,10 +14,15 @@ struct Command {
     std::string purpose, line;
 };
 
-/// Why a pixel has the colour that it has.
+/// The ray tree of a pixel on one side: text, and an SVG picture.
+struct TracedSide {
+    std::string title, trace, diagram;
+};
+
+/// Why a pixel has the colours that it has.
 struct Explanation {
     int x = 0, y = 0;
-    std::string trace, diagram;  // our side's ray tree: text, and an SVG picture
+    std::vector<TracedSide> sides;
     std::vector<Command> commands;
 };
 

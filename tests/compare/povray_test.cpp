@@ -147,3 +147,40 @@ sphere { 0, 0.8 material { ior 1.33 priority 2 } }
     CHECK(outside_edges("contact") < 1e-4);
     CHECK(outside_edges("gap --gap 1e-3") < 1e-4);
 }
+
+TEST_CASE("a report traces what each side is given", "[compare]") {
+    const Program program;
+    program.write("overlap.scene", R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 20 adc_bailout 1e-4 }
+camera { location <0, 0, -4> look_at 0 right x * image_width / image_height }
+background { color rgb <0.2, 0.5, 0.9> }
+plane { y, -1.5 pigment { checker color rgb 0.9 color rgb 0.2 } finish { ambient 1 diffuse 0 } }
+sphere { 0, 1 material { ior 1.5 priority 2 } }
+sphere { 0.7*x, 0.8 material { ior 1.33 priority 1 } }
+)");
+    const auto report = [&](const std::string& model) {
+        const auto result =
+            program.run("compare overlap.scene -W 40 -H 30 --report r.html --model " + model);
+        INFO(result.err);
+        REQUIRE(result.exit_code == 0);
+        return program.read("r.html");
+    };
+    // The command of the page makes the tree of the page.
+    const auto is_there = [&](const std::string& page, const std::string& model) {
+        const auto begin = page.find("inspect overlap.scene");
+        REQUIRE(begin != page.npos);
+        const auto command = page.substr(begin, page.find('<', begin) - begin);
+        CHECK_THAT(command, Contains(model));
+        const auto tree = program.run(command);
+        CHECK(tree.exit_code == 0);
+        CHECK_THAT(page,
+                   Contains("<pre tabindex=\"0\">" + tree.out.substr(0, tree.out.find('\n'))));
+        return tree.out;
+    };
+    is_there(report("contact"), "");
+    CHECK_THAT(is_there(report("gap --gap 1e-3"), "--model gap --gap 0.001"), Contains("'s film"));
+    const auto plain = report("plain");
+    CHECK_THAT(plain, Contains("The ray tree of Meniscus") &&
+                          Contains("The ray tree without priorities") && Contains("--model plain"));
+    CHECK_THAT(report("contact"), !Contains("without priorities"));
+}

@@ -12,13 +12,16 @@ namespace {
 
 std::string report(const std::string& title) {
     const auto comparison = test::two_differences();
-    return compare::format_report(
-        comparison,
-        {.title = title,
-         .settings = {{"size", "8 x 4"}},
-         .commands = {{"Again:", "meniscus compare 'a b.png' c.png"}},
-         .explanations = {{5, 1, "the tree of <5, 1>", "<svg/>", {{"Alone:", "povray +SC6"}}}},
-         .tolerance = 1e-3});
+    return compare::format_report(comparison,
+                                  {.title = title,
+                                   .settings = {{"size", "8 x 4"}},
+                                   .commands = {{"Again:", "meniscus compare 'a b.png' c.png"}},
+                                   .explanations = {{5,
+                                                     1,
+                                                     {{"Ours", "the tree of <5, 1>", "<svg/>"},
+                                                      {"Theirs", "theirs", "<svg/>"}},
+                                                     {{"Alone:", "povray +SC6"}}}},
+                                   .tolerance = 1e-3});
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ TEST_CASE("a report holds the numbers, the commands and the worst pixels' ray tr
     CHECK_THAT(html, Contains("meniscus compare 'a b.png' c.png") && Contains("8 x 4"));
     CHECK_THAT(html, Contains("href=\"#pixel-5-1\"") && Contains("id=\"pixel-5-1\""));
     CHECK_THAT(html, Contains("the tree of &lt;5, 1&gt;") && Contains("povray +SC6"));
+    CHECK_THAT(html, Contains("<h3>Ours</h3>") && Contains("<h3>Theirs</h3>"));
     CHECK_THAT(html, Contains("id=\"pixel-2-3\""));
 }
 

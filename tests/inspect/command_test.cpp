@@ -57,6 +57,33 @@ TEST_CASE("inspect shows the colour that render gives the pixel", "[inspect]") {
     CHECK(picture.pixel(3, 2)[0] == Approx(json.at("color").at(0).get<double>()));
 }
 
+TEST_CASE("inspect and render agree on the model, films and no priorities", "[inspect]") {
+    const Program program;
+    program.write("water.scene", glass_of_water);
+    for (const std::string model : {"contact", "gap --gap 0.01", "plain"}) {
+        INFO(model);
+        const auto json = Json::parse(
+            program.run("inspect water.scene 6 3 -W 8 -H 6 --json --model " + model).out);
+        REQUIRE(
+            program
+                .run("render water.scene --spp 1 -W 8 -H 6 -o water.exr --quiet --model " + model)
+                .exit_code == 0);
+        const auto picture = meniscus::image::load(program.path("water.exr"));
+        CHECK(picture.pixel(6, 3)[1] == Approx(json.at("color").at(1).get<double>()));
+    }
+    // Water in the wall is below the glass only where there are priorities.
+    const auto tree = [&](const std::string& model) {
+        return program.run("inspect water.scene 50 50 -W 101 -H 101 --model " + model).out;
+    };
+    const std::string film = "Glass's film";
+    CHECK(tree("contact").find(film) == std::string::npos);
+    CHECK(tree("gap --gap 0.01").find(film) != std::string::npos);
+    CHECK(tree("contact").find("is below Glass") != std::string::npos);
+    CHECK(tree("plain").find("is below Glass") == std::string::npos);
+    CHECK(program.run("inspect water.scene 1 1 --model gap").exit_code == 2);
+    CHECK(program.run("inspect water.scene 1 1 --gap 0.1").exit_code == 2);
+}
+
 TEST_CASE("inspect refuses a pixel outside the picture", "[inspect]") {
     const Program program;
     const auto result = program.run("inspect ball.scene 640 0");
