@@ -17,6 +17,10 @@ constexpr auto trees =
 constexpr auto modes = std::to_array(
     {tracer::InteriorMode::sweep, tracer::InteriorMode::recast, tracer::InteriorMode::off});
 
+constexpr auto filters =
+    std::to_array({tracer::PixelFilter::box, tracer::PixelFilter::blackman_harris,
+                   tracer::PixelFilter::mitchell});
+
 std::vector<std::string> names(const auto& values) {
     std::vector<std::string> result;
     for (const auto value : values) result.emplace_back(tracer::name(value));
@@ -127,6 +131,14 @@ void add_tracer_options(CLI::App& app, TracerOptions& o) {
         ->multi_option_policy(last)
         ->type_name("N")
         ->group("Sampling");
+    app.add_option("--filter", o.filter,
+                   "What a pixel is the mean of: box (its square), blackman-harris (radius 1.5 "
+                   "pixels) or mitchell (radius 2, sharper)")
+        ->check(CLI::IsMember(names(filters)))
+        ->excludes("--grid")
+        ->excludes("--contrast")
+        ->type_name("FILTER")
+        ->group("Sampling");
     app.add_option("--seed", o.seed, "Another set of samples")->type_name("N")->group("Sampling");
 
     app.add_option("--tree", o.tree,
@@ -197,6 +209,7 @@ tracer::Options make_tracer_options(const TracerOptions& options, const SceneOpt
     }
     if (options.depth) result.depth = *options.depth;
     result.cutoff = options.cutoff;
+    result.filter = named(filters, options.filter);
     result.seed = options.seed;
     result.threads = options.threads;
     return result;
@@ -209,6 +222,8 @@ std::string canonical_options(const tracer::Options& options) {
     if (const auto& r = options.region)
         text += fmt::format(" --region {} {} {} {}", r->x0, r->y0, r->x1, r->y1);
     text += ' ' + std::visit([](const auto& s) { return describe(s); }, options.sampling);
+    if (options.filter != defaults.filter)
+        text += fmt::format(" --filter {}", name(options.filter));
     text += fmt::format(" --tree {} --interior {}", name(tree), name(options.interior));
     if (tree != tracer::Tree::whitted && options.depth != defaults.depth)
         text += fmt::format(" --depth {}", options.depth);

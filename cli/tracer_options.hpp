@@ -24,6 +24,7 @@ struct TracerOptions {
     std::string kernel = "automatic";
     std::optional<int> depth;
     double cutoff = tracer::Options{}.cutoff;
+    std::string filter{tracer::name(tracer::Options{}.filter)};
     std::uint64_t seed = 0;
     int threads = 0;
 };

@@ -41,7 +41,7 @@ void Pixel::add_half(bool to_odd, const scene::Rgb& light, double weight, int co
 
 scene::Rgb Pixel::mean() const {
     const double weight = even_weight + odd_weight;
-    return weight > 0.0 ? (even + odd) / weight : scene::Rgb{0.0};
+    return weight != 0.0 ? (even + odd) / weight : scene::Rgb{0.0};
 }
 
 double Pixel::squared_error() const {

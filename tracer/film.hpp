@@ -38,12 +38,12 @@ public:
     Region region() const { return region_; }
     int width() const { return region_.x1 - region_.x0; }
     int height() const { return region_.y1 - region_.y0; }
-    Pixel& at(int x, int y) {
-        return pixels_[std::size_t(y - region_.y0) * width() + (x - region_.x0)];
+    /// Of pixel (x, y) among those of the window, row by row.
+    std::size_t index(int x, int y) const {
+        return std::size_t(y - region_.y0) * std::size_t(width()) + std::size_t(x - region_.x0);
     }
-    const Pixel& at(int x, int y) const {
-        return pixels_[std::size_t(y - region_.y0) * width() + (x - region_.x0)];
-    }
+    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
     /// Squared errors of all pixels, each the weighted mean of its 5 x 5 neighbours (itself counts
     /// twice): one pixel's two halves say little, and whoever chose pixels by that alone would

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <variant>
 
+#include "tracer/pixel_filter.hpp"
+
 namespace meniscus::tracer {
 
 /// How a ray knows which solids it is inside of.
@@ -64,6 +66,7 @@ struct Options {
     int width = 640, height = 480;
     std::optional<Region> region;  // default: the whole picture
     Sampling sampling = ErrorSampling{};
+    PixelFilter filter = PixelFilter::box;  // of CountSampling, ErrorSampling and TimeSampling
     std::optional<Tree>
         tree;  // default: whitted with GridSampling and ContrastSampling, else sampled
     InteriorMode interior = InteriorMode::sweep;

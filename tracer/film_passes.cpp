@@ -1,0 +1,152 @@
+#include "tracer/film_passes.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include "tracer/camera_rays.hpp"
+
+namespace meniscus::tracer {
+namespace {
+
+constexpr int small_tile = 16, large_tile = 32;  // pixels; rays one at a time, or in lanes
+constexpr std::size_t samples_at_once = 1 << 16;
+
+}  // namespace
+
+/// One of the two sums of a pixel's samples while they go in lanes.
+struct FilmPasses::Half {
+    Pixel* pixel;
+    bool is_odd;
+    double weight = 0.0;
+    int count = 0;
+};
+
+/// What one thread needs to follow rays.
+struct FilmPasses::Worker {
+    Worker(const RenderScene& scene, const Options& options, const lanes::Program* program)
+        : tree(scene, options, statistics) {
+        if (program) host.emplace(scene, options, *program, tree, statistics);
+    }
+    Statistics statistics;
+    RayTree tree;
+    std::optional<LaneHost> host;  // if rays go in lanes
+    std::vector<Sample> samples;
+    std::vector<Half> halves;
+};
+
+FilmPasses::FilmPasses(const RenderScene& scene, const Options& options)
+    : scene_(scene),
+      options_(options),
+      film_(options),
+      program_(options.kernel == Kernel::general ? NoLanes{"asked for"}
+                                                 : make_lane_program(scene, options)),
+      workers_([&] {
+          return std::make_unique<Worker>(scene, options, std::get_if<lanes::Program>(&program_));
+      }) {}
+
+FilmPasses::~FilmPasses() = default;
+
+std::string FilmPasses::why_general() const {
+    const auto* none = std::get_if<NoLanes>(&program_);
+    return none ? none->reason : std::string();
+}
+
+void FilmPasses::report(double share) {
+    if (!options_.progress) return;
+    const std::lock_guard lock(progress_mutex_);
+    options_.progress(std::min(share, 1.0));
+}
+
+void FilmPasses::run(double from, double to, const Plan& plan) {
+    const Region region = film_.region();
+    const int tile_size = std::holds_alternative<NoLanes>(program_) ? small_tile : large_tile;
+    const int across = (film_.width() + tile_size - 1) / tile_size;
+    const int down = (film_.height() + tile_size - 1) / tile_size;
+    std::vector<Statistics> by_tile(std::size_t(across) * down);
+    std::atomic<int> finished = 0;
+    tbb::parallel_for(0, across * down, [&](int tile) {
+        if (interrupted()) return;
+        Worker& worker = *workers_.local();
+        worker.statistics = {};
+        const int x0 = region.x0 + tile % across * tile_size,
+                  y0 = region.y0 + tile / across * tile_size;
+        const Region window{x0, y0, std::min(x0 + tile_size, region.x1),
+                            std::min(y0 + tile_size, region.y1)};
+        if (worker.host) {
+            follow_in_lanes(worker, window, plan);
+        } else {
+            follow_singly(worker, window, plan);
+        }
+        by_tile[tile] = worker.statistics;
+        report(from + (to - from) * ++finished / (across * down));
+    });
+    for (const Statistics& statistics : by_tile) statistics_.add(statistics);
+}
+
+void FilmPasses::follow_singly(Worker& worker, const Region& window, const Plan& plan) {
+    for (int y = window.y0; y < window.y1; ++y) {
+        for (int x = window.x0; x < window.x1; ++x) {
+            if (interrupted()) return;
+            worker.samples.clear();
+            plan(x, y, worker.samples);
+            Pixel& pixel = film_.at(x, y);
+            const std::uint64_t segments_before = worker.statistics.segments;
+            for (const Sample& sample : worker.samples) {
+                const geom::Ray ray = camera_ray(scene_.source.camera, sample.x, sample.y,
+                                                 options_.width, options_.height);
+                pixel.add(worker.tree.radiance(ray, sample.key), sample.weight);
+                if (pixel.samples == 1) pixel.first_hit = worker.tree.first_hit;
+            }
+            pixel.cost += double(worker.statistics.segments - segments_before);
+        }
+    }
+}
+
+/// Some ten thousand samples at a time, of as many pixels as that takes. Each half of a pixel
+/// has a sum of its own.
+void FilmPasses::follow_in_lanes(Worker& worker, const Region& window, const Plan& plan) {
+    worker.samples.clear();
+    std::vector<Half>& halves = worker.halves;
+    for (int y = window.y0; y < window.y1; ++y) {
+        for (int x = window.x0; x < window.x1; ++x) {
+            const std::size_t first = worker.samples.size();
+            plan(x, y, worker.samples);
+            int number = film_.at(x, y).samples;
+            const auto even = std::uint32_t(halves.size());
+            halves.push_back({&film_.at(x, y), false});
+            halves.push_back({&film_.at(x, y), true});
+            for (std::size_t i = first; i < worker.samples.size(); ++i, ++number) {
+                Sample& sample = worker.samples[i];
+                sample.target = even + std::uint32_t(number % 2);
+                halves[sample.target].weight += sample.weight;
+                ++halves[sample.target].count;
+            }
+            if (worker.samples.size() < samples_at_once) continue;
+            empty_into_film(worker);
+            if (interrupted()) return;
+        }
+    }
+    empty_into_film(worker);
+}
+
+/// Follows the samples that were gathered, and adds their light to their pixels.
+void FilmPasses::empty_into_film(Worker& worker) {
+    std::vector<Half>& halves = worker.halves;
+    if (!worker.samples.empty()) worker.host->run(worker.samples, halves.size());
+    const double unit = 1.0 / std::get<lanes::Program>(program_).units;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        const Half& half = halves[i];
+        if (half.count == 0) continue;
+        const std::int64_t* sum = &worker.host->sums()[4 * i];
+        const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit, double(sum[2]) * unit};
+        half.pixel->add_half(half.is_odd, light, half.weight, half.count);
+        half.pixel->cost += double(sum[3]);
+    }
+    worker.samples.clear();
+    halves.clear();
+}
+
+}  // namespace meniscus::tracer

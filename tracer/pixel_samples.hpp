@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "tracer/film.hpp"
+#include "tracer/options.hpp"
+#include "tracer/pixel_filter.hpp"
+#include "tracer/samples.hpp"
+
+namespace meniscus::tracer {
+
+/// Where in a pixel its samples lie, and with what weights: a function of pixel, number and seed
+/// only.
+class PixelSamples {
+public:
+    explicit PixelSamples(const Options& options) : seed_(options.seed), filter_(options.filter) {}
+
+    /// Sample `number` of pixel (x, y), at (u, v) from its corner.
+    Sample at(int x, int y, double u, double v, std::uint64_t number) const;
+    /// k x k midpoints.
+    void add_grid(int x, int y, int k, std::vector<Sample>& out) const;
+    /// (n + 1) x (n + 1) points from corner to corner, those of the edges and corners with a half
+    /// and a quarter of the weight.
+    void add_trapezoid(int x, int y, int n, std::vector<Sample>& out) const;
+    /// Those from number `from` to `to` of the pixel's own low-discrepancy sets, which take turns
+    /// among `sets` of them.
+    void add_points(int x, int y, int from, int to, std::vector<Sample>& out, int sets = 1) const;
+
+private:
+    std::uint64_t seed_;
+    FilterSampler filter_;
+};
+
+}  // namespace meniscus::tracer
