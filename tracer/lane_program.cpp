@@ -324,6 +324,7 @@ void make_paints(const RenderScene& scene, lanes::Program& program) {
 bool is_grey(const lanes::Program& program, const Options& options) {
     const auto* contrast = std::get_if<ContrastSampling>(&options.sampling);
     return !program.attenuates && !program.has_dressed && !(contrast && contrast->method == 2) &&
+           options.filter == PixelFilter::box &&
            std::ranges::all_of(program.solids, [](const auto& solid) {
                return solid.rank >= 0 || solid.paint >= 0;
            });
