@@ -15,7 +15,10 @@ using geom::TriangleSoup;
 using geom::Vec3;
 
 geom::Mesh build(TriangleSoup soup, const Span& span) {
-    if (soup.triangles.empty()) throw SourceError(span, "this mesh has no triangles");
+    if (soup.triangles.empty())
+        throw SourceError(span,
+                          "this mesh has no triangles; they follow as triangle { ... }, or stand "
+                          "in a file: mesh { file \"NAME.obj\" }");
     try {
         return {std::make_shared<const geom::TriangleMesh>(std::move(soup))};
     } catch (const std::invalid_argument& error) {

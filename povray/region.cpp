@@ -1,13 +1,15 @@
 #include "povray/region.hpp"
 
+#include <algorithm>
+
 #include "povray/flush.hpp"
 #include "povray/grow.hpp"
 
 namespace meniscus::povray {
 namespace {
 
-/// Bodies grow by 1, 1.2, 1.4 ... hairs and are cut at depths of 1.1, 1.3, 1.5 ...: so no two of
-/// the faces that meet in one place come nearer to each other than a tenth of a hair.
+/// Bodies grow by nothing or by 1, 1.2, 1.4 ... hairs and are cut at depths of 1.1, 1.3, 1.5 ...:
+/// so no two of the faces that meet in one place come nearer to each other than a tenth of a hair.
 constexpr double rank_step = 0.2;
 constexpr double first_growth = 1.0, first_depth = 1.1;
 
@@ -31,10 +33,13 @@ void extend(const tracer::RenderScene& scene, const Body& body, int part, const 
 
 }  // namespace
 
-double growth(const Body& body, Model model, double hair) {
+double growth(const Plan& plan, const Body& body, Model model, double hair) {
+    if (model != Model::contact) return 0.0;
+    const auto is_outside = [&](int index) { return plan.bodies[std::size_t(index)].is_outside; };
     // All that meet: where air of a higher priority cuts both, each must reach beyond the cut.
-    const bool meets = !body.higher.empty() || !body.lower.empty() || body.meets_opaque;
-    return model == Model::contact && meets ? hair * (first_growth + rank_step * body.rank) : 0.0;
+    const bool meets = body.meets_opaque || !std::ranges::all_of(body.higher, is_outside) ||
+                       !std::ranges::all_of(body.lower, is_outside);
+    return meets ? hair * (first_growth + rank_step * body.rank) : 0.0;
 }
 
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,

@@ -16,9 +16,9 @@ struct Cutter {
 /// The texture of a film's face, which no object of the scene has.
 inline constexpr std::size_t clear_skin = std::size_t(-1);
 
-/// By how much a body is made larger: in contact with others by a hair, so that it reaches into
-/// them. Scene units.
-double growth(const Body& body, Model model, double hair);
+/// By how much a body is made larger: in contact with others, bubbles apart, by a hair, so that it
+/// reaches into them. Scene units.
+double growth(const Plan& plan, const Body& body, Model model, double hair);
 
 /// What is above a body and overlaps or touches it: smaller by more than a hair in contact, larger
 /// by the gap for films.

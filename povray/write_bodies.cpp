@@ -155,10 +155,11 @@ private:
         return words;
     }
 
-    /// The body's region: its parts, larger by a hair where it meets others, minus what is above.
+    /// The body's region: its parts, larger by a hair where it reaches into others, minus what is
+    /// above.
     void write_region(const Body& body, const std::vector<Cutter>& cutters, bool with_skins,
                       const std::vector<std::string>& words) {
-        const double distance = growth(body, model_, hair_);
+        const double distance = growth(plan_, body, model_, hair_);
         std::vector<scene::Object> parts;
         for (const int part : body.parts) parts.push_back(grown(object(part), distance));
         const auto child_words = [&](std::size_t texture) {
