@@ -17,23 +17,51 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 struct LatheCrossings {
     F t[most_lathe_crossings], piece[most_lathe_crossings],
         slope[most_lathe_crossings];  // direction . normal
+};
 
-    HWY_INLINE void insert(F at, F of, F sloping, M valid, M& unsure) {
-        at = select(valid, at, F(infinity));
+/// Crossings of a line with a lathe while they are gathered: slope and piece share a word, the
+/// piece in the last bits of the mantissa.
+class GatheredCrossings {
+public:
+    HWY_INLINE GatheredCrossings() {
         for (int k = 0; k < most_lathe_crossings; ++k) {
-            const M sooner = at < t[k];
-            const F later_t = select(sooner, t[k], at);
-            const F later_piece = select(sooner, piece[k], of);
-            const F later_slope = select(sooner, slope[k], sloping);
-            t[k] = select(sooner, at, t[k]);
-            piece[k] = select(sooner, of, piece[k]);
-            slope[k] = select(sooner, sloping, slope[k]);
-            at = later_t;
-            of = later_piece;
-            sloping = later_slope;
+            t_[k] = F(infinity);
+            key_[k] = F(0.0);
         }
-        unsure = unsure | (at < F(infinity));
     }
+
+    HWY_INLINE void insert(F t, std::size_t piece, F slope, M valid, M& unsure) {
+        F at = select(valid, t, F(infinity));
+        F key = with_bits(slope, piece);
+        for (int k = 0; k < std::min(count_ + 1, most_lathe_crossings); ++k) {
+            const M sooner = at < t_[k];
+            const F later = select(sooner, key_[k], key);
+            key_[k] = select(sooner, key, key_[k]);
+            key = later;
+            const F first = min(at, t_[k]);
+            at = max(at, t_[k]);
+            t_[k] = first;
+        }
+        if (count_++ >= most_lathe_crossings) unsure = unsure | (at < F(infinity));
+    }
+
+    HWY_INLINE LatheCrossings sorted() const {
+        LatheCrossings result;
+        for (int k = 0; k < most_lathe_crossings; ++k) {
+            result.t[k] = t_[k];
+            result.slope[k] = key_[k];
+            result.piece[k] = to_double(as_words(key_[k]) & U(15));
+        }
+        return result;
+    }
+
+private:
+    static HWY_INLINE F with_bits(F x, std::size_t low) {
+        return as_doubles((as_words(x) & U(~15ull)) | U(std::uint64_t(low)));
+    }
+
+    F t_[most_lathe_crossings], key_[most_lathe_crossings];
+    int count_ = 0;
 };
 
 /// What sorted crossings with a solid that is not convex mean to rays whose list is known. `known`
@@ -98,10 +126,10 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
         d = (F(1.0) / length) * d;
     }
     // Seen from the line's point nearest to the middle.
-    const F3 from_middle = ray.origin - F3(geom::Vec3{0.0, solid.middle, 0.0});
+    const F3 from_middle = ray.origin - F3(geom::Vec3{0.0, solid.height, 0.0});
     const F shift = -dot(from_middle, d);
     const F3 e = from_middle + shift * d;
-    const F height = e.y + F(solid.middle);
+    const F height = e.y + F(solid.height);
     const F dd = d.x * d.x + d.z * d.z, ed = e.x * d.x + e.z * d.z, ee = e.x * e.x + e.z * e.z;
     const M steep = dd < F(1e-12);  // along the axis
     const F per_dd = F(1.0) / dd;
@@ -111,16 +139,11 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
     const F per_dy = F(1.0) / d.y;
     const F slack(1e-9 * solid.size);
 
-    LatheCrossings found;
-    for (int k = 0; k < most_lathe_crossings; ++k) {
-        found.t[k] = F(infinity);
-        found.piece[k] = found.slope[k] = F(0.0);
-    }
+    GatheredCrossings gathered;
     M open = no_lanes();  // lanes for which these crossings are not sure
     const F narrow_miss(solid.size * solid.size * 1e-9);
     for (std::size_t i = 0; i < solid.pieces.size(); ++i) {
         const Piece& piece = solid.pieces[i];
-        const F index{double(i)};
         if (piece.a == 0.0) {  // a ring
             const F t = (F(piece.low_height) - height) * per_dy;
             const F x = e.x + t * d.x, z = e.z + t * d.z;
@@ -132,7 +155,7 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
             const F margin(2.0 * piece.high_radius * 1e-9 * solid.size);
             open = open | (abs(radius2 - high2) < margin);
             if (piece.low_radius > 0.0) open = open | (abs(radius2 - low2) < margin);
-            found.insert(t, index, F(piece.b) * d.y, valid, open);
+            gathered.insert(t, i, F(piece.b) * d.y, valid, open);
         } else if (piece.b == 0.0) {  // a cylinder
             const double radius = piece.high_radius;
             const F room = F(radius * radius) - ff;
@@ -147,7 +170,7 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
                     (F(0.0) < room) & (F(piece.low_height) <= y) & (y < F(piece.high_height));
                 open = open | ((F(0.0) < room) & ((abs(y - F(piece.low_height)) < slack) |
                                                   (abs(y - F(piece.high_height)) < slack)));
-                found.insert(t, index, F(side) * slope, valid, open);
+                gathered.insert(t, i, F(side) * slope, valid, open);
             }
         } else {  // a cone: a^2 radius^2 = (c - b height)^2
             const double a2 = piece.a * piece.a;
@@ -189,10 +212,11 @@ HWY_INLINE void lathe_stretches(const Program& program, const Solid& solid, cons
                 open = open | (real & meant &
                                ((abs(y - F(piece.low_height)) < slack) |
                                 (abs(y - F(piece.high_height)) < slack)));
-                found.insert(t, index, slope, valid, open);
+                gathered.insert(t, i, slope, valid, open);
             }
         }
     }
+    LatheCrossings found = gathered.sorted();
     open = open | steep;
     for (int k = 1; k < most_lathe_crossings; ++k)
         open = open | ((found.t[k] < F(infinity)) & (found.t[k] - found.t[k - 1] < slack));

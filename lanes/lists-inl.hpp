@@ -16,9 +16,7 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 /// numbers that fit.
 HWY_INLINE U contact_word(F face, int index) {
     const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
-    return shift_left(
-        U(hn::BitCast(integers, with_exponent.a), hn::BitCast(integers, with_exponent.b)) & U(15),
-        4 * index);
+    return shift_left(as_words(with_exponent) & U(15), 4 * index);
 }
 
 /// The event: the nearest true crossing, what coincides with it, and the lists just before and

@@ -30,6 +30,8 @@ inline constexpr double thin_chord = 1e-6;
 /// The last two are met by the host, one ray at a time: any other convex solid, and any other.
 enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
 
+/// Whether it is worth a look first whether a ray comes near it.
+inline bool is_costly(Kind kind) { return kind != Kind::sphere && kind != Kind::half_space; }
 /// Whether the host meets it.
 inline bool is_foreign(Kind kind) { return kind >= Kind::other_convex; }
 /// Whether a ray may be inside of it twice.
@@ -59,6 +61,8 @@ struct Solid {
     geom::Transform transform;            // from its own frame to the world, if placed
     double magnitude = 0.0;               // its largest coordinate
     double thin = 0.0, sure_start = 0.0;  // its shares in bounds of the kernel (Rays)
+    geom::Vec3 middle{0.0};               // of a sphere around it, with a margin; costly kinds
+    double reach = 0.0;                   // its radius
     int paint = -1;                       // how lanes shade it, if they can
 
     geom::Vec3 center{0.0};           // sphere; base of a cylinder; a half-space's unit normal
@@ -69,7 +73,7 @@ struct Solid {
     geom::Vec3 axis{0.0};             // cylinder: unit vector from base to cap
     double length = 0.0;              // cylinder
     std::vector<Piece> pieces;        // lathe, about its y axis
-    double middle = 0.0, size = 0.0;  // lathe: height halfway up; of its profile
+    double height = 0.0, size = 0.0;  // lathe: halfway up; of its profile
 };
 
 /// Eight small spheres and a sphere around them.
@@ -77,6 +81,7 @@ struct Group {
     static constexpr int size = 8;
     geom::Vec3 center;
     double radius;  // of the sphere around, with a margin
+    double power;   // radius^2 - |center|^2, with room for rounding
     std::array<double, size> x, y, z, r;
     std::array<int, size> rank;  // `no_rank` where the group has fewer
 };
@@ -122,6 +127,8 @@ struct Tie {
 struct Program {
     std::vector<Solid> solids;
     std::vector<Group> groups;
+    geom::Vec3 groups_middle{0.0};  // of a sphere around all of them
+    double groups_reach = 0.0;
     std::vector<Member> members;  // by rank
     std::vector<Tie> ties;
     std::vector<Paint> paints;
@@ -133,11 +140,11 @@ struct Program {
 
     // What the scene has and needs; the rest is skipped.
     bool attenuates = true, uses_keys = true;
-    bool grey = false;             // only rays to lights have colours: a ray's light is its weight
-    int words = list_words;        // of the list
-    bool has_foreign = true;       // solids that the host meets
-    bool has_dressed = true;       // members whose skins are not clear
-    bool ior_tells_medium = true;  // media of one index are alike
+    bool grey = false;       // only rays to lights have colours: a ray's light is its weight
+    int words = list_words;  // of the list
+    std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
+    bool has_dressed = true;                // members whose skins are not clear
+    bool ior_tells_medium = true;           // media of one index are alike
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

@@ -12,23 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// Points on a face of one of the host's own solids.
-HWY_INLINE FacePoint Kernel::ask_face(const Solid& solid, M which, const F3& point, F face) {
-    Doubles x{point.x}, y{point.y}, z{point.z}, nx{F(0.0)}, ny{F(1.0)}, nz{F(0.0)};
-    const Doubles faces(face);
-    for_each(which, [&](std::size_t lane) {
-        geom::Vec3 p{x[lane], y[lane], z[lane]};
-        const geom::Vec3 n = host_.put_on_face(solid, geom::Face(faces[lane]), p);
-        x[lane] = p.x;
-        y[lane] = p.y;
-        z[lane] = p.z;
-        nx[lane] = n.x;
-        ny[lane] = n.y;
-        nz[lane] = n.z;
-    });
-    return {{load(x.at), load(y.at), load(z.at)}, {load(nx.at), load(ny.at), load(nz.at)}};
-}
-
 /// Puts the points of an event on the faces that own it.
 HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
     const Rays& rays = batch.rays;
@@ -70,31 +53,6 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
         batch.point = select(round.which, round.center + round.radius * n, batch.point);
     }
     batch.magnitude = rays.largest + batch.t + owner_magnitude;
-}
-
-/// The lanes whose events small spheres own.
-HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M by_member, Round& round,
-                                          F& owner_magnitude) const {
-    const Doubles ranks(batch.owner);
-    Doubles x, y, z, radius, inverse, magnitude;
-    std::uint32_t here = 0;
-    for_each(batch.near_spheres & bits(by_member), [&](std::size_t lane) {
-        const int rank = int(ranks[lane]);
-        const Member& member = program_.members[std::size_t(rank)];
-        if (!member.in_group) return;
-        x[lane] = member.center.x;
-        y[lane] = member.center.y;
-        z[lane] = member.center.z;
-        radius[lane] = member.radius;
-        inverse[lane] = member.inverse_radius;
-        magnitude[lane] = magnitudes_[std::size_t(rank)];
-        here |= 1u << lane;
-    });
-    if (here == 0) return;
-    const M which = mask_of(here);
-    round.add(which, {load(x.at), load(y.at), load(z.at)}, load(radius.at), load(inverse.at));
-    if (!program_.one_tolerance)
-        owner_magnitude = select(which, load(magnitude.at), owner_magnitude);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -29,6 +29,7 @@ struct Rays {
     F sure_start;  // before this, list and place disagree; solids' own sizes aside
     F thin;        // chords shorter than this may be none; sizes and distances aside
     F t_max;
+    F margin;  // crossings behind the event up to here have a say in its lists
     U contacts;
     M active;
 };
@@ -62,7 +63,7 @@ HWY_INLINE U contact_of(const Rays& rays, int index) {
     return shift_right(rays.contacts, 4 * index) & U(15);
 }
 
-HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
+HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, M pinned) {
     Line scratch;
     const Line& ray = local(solid, rays, scratch);
     const F3 e = ray.origin - F3(solid.center);
@@ -72,7 +73,7 @@ HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
     F discriminant = F(solid.radius * solid.radius) - dot(f, f);
     if (solid.placed) discriminant = discriminant / ray.squared_length;
     // A ray born on the sphere meets it there and at twice the middle.
-    const F half = select(shares(contact, U(15)), abs(b), sqrt(max(discriminant, F(0.0))));
+    const F half = select(pinned, abs(b), sqrt(max(discriminant, F(0.0))));
     Span span;
     span.t0 = -b - half;
     span.t1 = half - b;
@@ -81,11 +82,10 @@ HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, U contact) {
     return span;
 }
 
-HWY_INLINE Span half_space_span(const Solid& solid, const Rays& rays, U contact) {
+HWY_INLINE Span half_space_span(const Solid& solid, const Rays& rays, M pinned) {
     const F3 n(solid.center);
     const F slope = dot(rays.world.direction, n);
     const F depth = F(solid.distance) - dot(rays.world.origin, n);
-    const M pinned = !(contact == U(0));
     const M parallel = slope == F(0.0);
     const F t = select(pinned, F(0.0), depth / slope);
     const M leaves = F(0.0) < slope;
@@ -187,14 +187,15 @@ HWY_INLINE Span cylinder_span(const Solid& solid, const Rays& rays, U contact) {
 
 /// The rare cases of `resolve`, by exact bounds.
 HWY_INLINE void resolve_doubt(const Program& program, const Solid& solid, const Rays& rays,
-                              const Span& span, M astray, M& enters, M& unsure) {
+                              const Span& span, M inside, M astray, M& enters, M& unsure) {
     const F start = max(span.t0, F(0.0));
     const F chord = span.t1 - start;
     const F at = rays.largest + F(solid.magnitude) + start;
     const F least(program.contact_tolerance);
     const M thin = enters & (chord < max(F(thin_chord) * at, least + least));
     const M touch = chord <= max(F(program.tolerance_units * unit_roundoff) * at, least);
-    unsure = unsure | astray | but_not(thin, touch);
+    const M early = select(inside, span.t1, span.t0) < -(least + least);
+    unsure = unsure | (astray & early) | but_not(thin, touch);
     enters = but_not(enters, thin & touch);
 }
 
@@ -212,7 +213,8 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
         min(rays.sure_start - F(solid.sure_start), F(-2.0 * program.contact_tolerance));
     const M astray =
         but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)), has_contact);
-    if (any(thin | astray)) resolve_doubt(program, solid, rays, span, astray, enters, unsure);
+    if (any(thin | astray))
+        resolve_doubt(program, solid, rays, span, inside, astray, enters, unsure);
 
     Stretch result;
     result.in = select(inside, F(-infinity), select(enters, start, F(infinity)));
@@ -222,17 +224,16 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     return result;
 }
 
-/// The lanes whose rays a foreign solid must be asked about: they meet the sphere around it before
-/// what is nearest so far, or it stands in their list or contacts.
-HWY_INLINE M near_foreign(const Solid& solid, const Rays& rays, M named, F nearest) {
-    const F3 e = rays.world.origin - F3(solid.center);
+/// The lanes whose rays meet a sphere before what is nearest so far, or not far behind it.
+HWY_INLINE M meet_sphere(const Rays& rays, const geom::Vec3& center, double radius, F nearest) {
+    const F3 e = rays.world.origin - F3(center);
     const F b = dot(e, rays.world.direction);
     const F3 f = e - b * rays.world.direction;
-    const F room = F(solid.radius * solid.radius) - dot(f, f);
-    const F bound = nearest * F(1.0 + 1e-6) + F(1e-6) * (rays.largest + F(solid.radius));
-    const M met = (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
-                  ((-b < bound) | ((b + bound) * (b + bound) < room));
-    return rays.active & (named | met);
+    const F room = F(radius * radius) - dot(f, f);
+    // The ray comes in at -b - sqrt(room).
+    const F beyond = b + (nearest * F(1.0 + 1e-6) + rays.margin);
+    return (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
+           ((F(0.0) < beyond) | (beyond * beyond < room));
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

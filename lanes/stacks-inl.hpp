@@ -32,7 +32,10 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
         max(max(abs(rays.world.origin.x), abs(rays.world.origin.y)), abs(rays.world.origin.z));
     rays.birth = max(numbers(Stack::birth), rays.largest);
     rays.sure_start = F(-2.0 * program_.tolerance_units * unit_roundoff) * rays.birth;
-    rays.thin = F(thin_chord) * rays.largest;
+    // No point of a solid is farther away than 1.8 (largest + its magnitude).
+    rays.thin = F(3.0 * thin_chord) * rays.largest;
+    rays.margin = F(1e-6) * (rays.largest + F(program_.largest_magnitude)) +
+                  F(1e3 * program_.contact_tolerance);
     rays.contacts = words(Stack::contacts);
     batch.weight = is_shadow ? F(1.0) : numbers(Stack::weight);
     if (has_colour(is_shadow)) {

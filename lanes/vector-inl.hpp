@@ -160,19 +160,14 @@ HWY_INLINE void store(U x, std::uint64_t* to) {
     hn::StoreU(x.a, integers, to);
     hn::StoreU(x.b, integers, to + width);
 }
+/// The same bits.
+HWY_INLINE U as_words(F x) { return {hn::BitCast(integers, x.a), hn::BitCast(integers, x.b)}; }
+HWY_INLINE F as_doubles(U x) { return {hn::BitCast(doubles, x.a), hn::BitCast(doubles, x.b)}; }
 /// Whole numbers below 2^52 as doubles.
-HWY_INLINE F to_double(U x) {
-    const U with_exponent = x | U(0x4330000000000000ull);
-    return F(hn::BitCast(doubles, with_exponent.a), hn::BitCast(doubles, with_exponent.b)) -
-           F(0x1p52);
-}
+HWY_INLINE F to_double(U x) { return as_doubles(x | U(0x4330000000000000ull)) - F(0x1p52); }
 /// The nearest whole number of each, as two's complement; |x| < 2^51.
 HWY_INLINE U round_to_word(F x) {
-    const F shifted = x + F(0x1.8p52);
-    const auto word = [](hn::Vec<DoubleTag> v) HWY_ATTR {
-        return hn::Sub(hn::BitCast(integers, v), hn::Set(integers, 0x4338000000000000ull));
-    };
-    return {word(shifted.a), word(shifted.b)};
+    return as_words(x + F(0x1.8p52)) + U(0ull - 0x4338000000000000ull);
 }
 /// Products modulo 2^64.
 HWY_INLINE hn::Vec<WordTag> multiply(hn::Vec<WordTag> x, hn::Vec<WordTag> y) {

@@ -63,12 +63,9 @@ lanes::Solid convert(const geom::Plane& plane) {
     return solid;
 }
 
-lanes::Solid foreign(const geom::Bounds& bounds, bool is_convex) {
+lanes::Solid foreign(bool is_convex) {
     lanes::Solid solid;
     solid.kind = is_convex ? lanes::Kind::other_convex : lanes::Kind::other;
-    solid.center = 0.5 * (bounds.low + bounds.high);
-    solid.radius =
-        0.5 * glm::length(bounds.size()) * (1.0 + 1e-6) + 1e-9 * geom::max_abs(solid.center);
     return solid;
 }
 
@@ -76,7 +73,7 @@ lanes::Solid convert(const geom::Lathe& lathe) {
     lanes::Solid solid;
     solid.kind = lanes::Kind::lathe;
     const geom::Profile& profile = lathe.profile();
-    solid.middle = 0.5 * (profile.low().y + profile.high().y);
+    solid.height = 0.5 * (profile.low().y + profile.high().y);
     solid.size = profile.size();
     for (const geom::ProfilePiece& piece : profile.pieces()) {
         solid.pieces.push_back({piece.line.a * piece.outward, piece.line.b * piece.outward,
@@ -104,12 +101,17 @@ lanes::Solid convert(const Other&) {
     return {};  // not native
 }
 
+/// The radius of a sphere around a box, with a margin for rounding.
+double sphere_around(const geom::Bounds& bounds, const geom::Vec3& middle) {
+    return 0.5 * glm::length(bounds.size()) * (1.0 + 1e-6) + 1e-9 * geom::max_abs(middle);
+}
+
 lanes::Solid make_solid(const Part& part, int index) {
     const geom::Shape& shape = part.shape.shape();
     if (std::holds_alternative<geom::Mesh>(shape)) throw CannotHave{"a mesh"};
     lanes::Solid solid = is_native(shape)
                              ? std::visit([](const auto& s) { return convert(s); }, shape)
-                             : foreign(part.shape.bounds(), part.shape.is_convex());
+                             : foreign(part.shape.is_convex());
     solid.part = index;
     solid.inverse = part.inverse;
     solid.to_camera = !part.no_image;
@@ -118,6 +120,11 @@ lanes::Solid make_solid(const Part& part, int index) {
     solid.placed = !part.shape.transform().is_identity();
     solid.transform = part.shape.transform();
     solid.magnitude = part.shape.magnitude();
+    if (lanes::is_costly(solid.kind)) {
+        const geom::Bounds bounds = part.shape.bounds();
+        solid.middle = 0.5 * (bounds.low + bounds.high);
+        solid.reach = sphere_around(bounds, solid.middle);
+    }
     return solid;
 }
 
@@ -269,6 +276,8 @@ void group(std::vector<int> ranks, lanes::Program& program) {
             std::max(result.radius, glm::length(member.center - result.center) + member.radius);
     }
     result.radius *= 1.0 + 1e-6;
+    const double squared = glm::dot(result.center, result.center);
+    result.power = result.radius * result.radius - (1.0 - 1e-14) * squared;
     program.groups.push_back(result);
 }
 
@@ -374,7 +383,14 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     if (program.solids.size() > std::size_t(lanes::most_solids))
         throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
                          " solids beside small spheres"};
-    if (!small.empty()) group(std::move(small), program);
+    if (!small.empty()) {
+        group(std::move(small), program);
+        geom::Bounds bounds;
+        for (const lanes::Group& group : program.groups)
+            bounds.extend(geom::Bounds{group.center - group.radius, group.center + group.radius});
+        program.groups_middle = 0.5 * (bounds.low + bounds.high);
+        program.groups_reach = sphere_around(bounds, program.groups_middle);
+    }
     // A tolerance goes by the larger of two magnitudes: so one half-space, of whatever magnitude,
     // has no say.
     double least_magnitude = geom::infinity;
@@ -395,8 +411,15 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     program.has_dressed =
         std::ranges::any_of(program.members, [](const auto& member) { return !member.clear; });
     program.ior_tells_medium = ior_tells_medium(program);
-    program.has_foreign = std::ranges::any_of(
-        program.solids, [](const auto& solid) { return lanes::is_foreign(solid.kind); });
+    for (std::size_t i = 0; i < program.solids.size(); ++i) {
+        auto& list =
+            lanes::is_foreign(program.solids[i].kind) ? program.foreign : program.cheap_first;
+        list.push_back(int(i));
+    }
+    std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
+        const lanes::Kind kind = program.solids[std::size_t(i)].kind;
+        return kind == lanes::Kind::lathe ? 2 : lanes::is_costly(kind) ? 1 : 0;
+    });
     program.attenuates = scene.has_attenuation;
     make_paints(scene, program);
     program.grey = is_grey(program, options);
@@ -404,7 +427,7 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     program.tolerance_units = scene.tolerance_units;
     program.contact_tolerance = scene.contact_tolerance;
     for (lanes::Solid& solid : program.solids) {
-        solid.thin = lanes::thin_chord * solid.magnitude + 2.0 * scene.contact_tolerance;
+        solid.thin = 3.0 * lanes::thin_chord * solid.magnitude + 2.0 * scene.contact_tolerance;
         solid.sure_start = 2.0 * scene.tolerance_units * lanes::unit_roundoff * solid.magnitude;
     }
     const Tree tree = implied_tree(options);
