@@ -123,7 +123,8 @@ struct Round {
 };
 
 struct Batch {
-    std::size_t size = 0, base = 0;  // rays, and where they stood on the stack
+    RayStack* stack = nullptr;       // where the rays stood
+    std::size_t size = 0, base = 0;  // rays, and the place of the first
     bool is_shadow = false;          // all of them go to lights, or none
     // As they set out.
     Rays rays;

@@ -38,25 +38,40 @@ struct GroupTest {
 /// Small spheres are met by few rays each: lane by lane, eight spheres at once. Draws `nearest`
 /// nearer where one of them is a true crossing.
 HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
+    using Stack = RayStack;
     const Rays& rays = batch.rays;
-    Words inside[list_words];
-    for (int w = 0; w < program_.words; ++w) inside[w] = Words(batch.inside.word[w]);
-    const Words sphere_contacts(batch.sphere_contacts);
-    const Doubles ox(rays.world.origin.x), oy(rays.world.origin.y), oz(rays.world.origin.z);
-    const Doubles dx(rays.world.direction.x), dy(rays.world.direction.y),
-        dz(rays.world.direction.z);
-    const Doubles largest(rays.largest), birth(rays.birth);
+    M named = !(batch.sphere_contacts == U(0));
+    for (int w = 0; w < program_.words; ++w)
+        named = named | shares(batch.inside.word[w], U(group_bits_[w]));
+    named = named & rays.active;
+    const M near_all = rays.active & meet_sphere(rays, program_.groups_middle,
+                                                 program_.groups_reach, batch.nearest);
+    if (!any(named | near_all)) return;
+
+    // The rays are still on the stack, one by one.
+    const auto number = [&](Stack::Field field) { return (*batch.stack)[field] + batch.base; };
+    const auto word = [&](int field) {
+        return batch.stack->word(Stack::Field(field)) + batch.base;
+    };
+    const double *const ox = number(Stack::ox), *const oy = number(Stack::oy),
+                        *const oz = number(Stack::oz), *const dx = number(Stack::dx),
+                        *const dy = number(Stack::dy), *const dz = number(Stack::dz),
+                        *const birth = number(Stack::birth);
+    const std::uint64_t* const sphere_contacts = word(Stack::sphere_contacts);
+    const std::uint64_t* inside[list_words];
+    for (int w = 0; w < program_.words; ++w) inside[w] = word(Stack::inside + w);
     Doubles near(batch.nearest), pivot(batch.pivot_magnitude);
-    std::uint32_t doubtful = 0;
-    const std::uint32_t active = bits(rays.active);
+    std::uint32_t doubtful = 0, drawn = 0;
 
     const auto offer = [&](std::size_t lane, int rank, bool is_inside, bool has_contact) {
         const Member& member = program_.members[std::size_t(rank)];
         SphereStretch stretch{};
         bool doubt = false;
-        const bool met = sphere_stretch(
-            program_, {ox[lane], oy[lane], oz[lane]}, {dx[lane], dy[lane], dz[lane]}, member.center,
-            member.radius, is_inside, has_contact, largest[lane], birth[lane], stretch, doubt);
+        const geom::Vec3 origin{ox[lane], oy[lane], oz[lane]};
+        const double largest = geom::max_abs(origin);
+        const bool met = sphere_stretch(program_, origin, {dx[lane], dy[lane], dz[lane]},
+                                        member.center, member.radius, is_inside, has_contact,
+                                        largest, std::max(birth[lane], largest), stretch, doubt);
         if (doubt) doubtful |= 1u << lane;
         if (!met) return;
         stretch.rank = rank;
@@ -74,12 +89,12 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         const double candidate = is_inside ? stretch.out : stretch.in;
         if (hidden == 0 && candidate < near[lane]) {
             near[lane] = candidate;
+            drawn |= 1u << lane;
             pivot[lane] = magnitudes_[std::size_t(rank)];
         }
     };
     // Those that the list or a contact names, first: no box can hide them.
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (!(active >> lane & 1u)) continue;
+    for_each(named, [&](std::size_t lane) {
         const int contact[2] = {int(sphere_contacts[lane] & 0xffffffffu) - 1,
                                 int(sphere_contacts[lane] >> 32) - 1};
         for (int w = 0; w < program_.words; ++w) {
@@ -92,7 +107,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
             if (rank >= 0 && !(inside[rank / 64][lane] >> (rank % 64) & 1u))
                 offer(lane, rank, false, true);
         }
-    }
+    });
     const auto try_group = [&](const Group& group, std::size_t lane) HWY_ATTR {
         const auto x = hn::Set(doubles, ox[lane]), y = hn::Set(doubles, oy[lane]),
                    z = hn::Set(doubles, oz[lane]);
@@ -122,15 +137,15 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
             }
         }
     };
-    const M near_all = rays.active & meet_sphere(rays, program_.groups_middle,
-                                                 program_.groups_reach, batch.nearest);
-    if (any(near_all)) {
-        const GroupTest test(rays);
-        for (const Group& group : program_.groups)
-            for_each(near_all & test.met(group, load(near.at)),
-                     [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
+    const GroupTest test(rays);
+    F nearest = drawn ? load(near.at) : batch.nearest;
+    for (const Group& group : program_.groups) {
+        drawn = 0;
+        for_each(near_all & test.met(group, nearest),
+                 [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
+        if (drawn) nearest = load(near.at);
     }
-    batch.nearest = load(near.at);
+    batch.nearest = nearest;
     batch.pivot_magnitude = load(pivot.at);
     batch.unsure = batch.unsure | mask_of(doubtful);
 }

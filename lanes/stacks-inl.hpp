@@ -16,6 +16,7 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
     using Stack = RayStack;
     batch.is_shadow = is_shadow;
+    batch.stack = &stack;
     batch.size = std::min(stack.size(), lanes);
     batch.base = stack.size() - batch.size;
     stack.resize(batch.base);

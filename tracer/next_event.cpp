@@ -10,10 +10,13 @@ EventFinder::EventFinder(const RenderScene& scene, const Options& options, Stati
       options_(options),
       statistics_(statistics),
       offers_(scene, statistics),
-      visited_(scene.parts.size(), 0) {}
+      visited_(scene.parts.size(), 0),
+      has_only_surfaces_(!scene.has_members && options.interior == InteriorMode::sweep &&
+                         !options.check_segments) {}
 
 std::optional<Event> EventFinder::next(TracedRay& ray, double t_max) {
     ++statistics_.segments;
+    if (has_only_surfaces_ && !record) return next_surface(ray, t_max);
     return options_.interior == InteriorMode::sweep ? sweep(ray, t_max) : recast(ray, t_max);
 }
 

@@ -20,7 +20,8 @@ struct Judged {
 /// Finds where a ray's medium changes next. One for each thread: it keeps scratch memory between
 /// rays. What it does stands in a file each: one traversal of the scene (next_event.cpp), the way
 /// along what that found (walk.cpp, make_event.cpp), the first list (start.cpp), the checks of its
-/// own work (self_check.cpp), and the paper's method beside it (recast.cpp).
+/// own work (self_check.cpp), a short way for scenes without dielectrics (next_surface.cpp), and
+/// the paper's method beside it (recast.cpp).
 class EventFinder {
 public:
     EventFinder(const RenderScene& scene, const Options& options, Statistics& statistics);
@@ -42,6 +43,7 @@ public:
 private:
     std::optional<Event> sweep(TracedRay& ray, double t_max);
     std::optional<Event> recast(TracedRay& ray, double t_max);
+    std::optional<Event> next_surface(TracedRay& ray, double t_max);
 
     bool is_visible(const Part& part, RayKind kind) const;
     /// What a traversal goes no farther than.
@@ -84,6 +86,7 @@ private:
     std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
     unsigned stamp_ = 0;
     double bound_ = 0.0;  // this traversal looks no farther
+    bool has_only_surfaces_;
 };
 
 }  // namespace meniscus::tracer
