@@ -97,6 +97,26 @@ struct Top {
         if (program.attenuates)
             attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
     }
+    /// Where the members at `ranks`, of the lanes `which`, are.
+    HWY_INLINE void cover(std::uint32_t which, const Doubles& ranks, const Program& program) {
+        if (which == 0) return;
+        Doubles at(rank), iors(ior), media(medium);
+        std::uint32_t are_dressed = bits(dressed), attenuate = bits(attenuates);
+        for_each(which, [&](std::size_t lane) {
+            const Member& member = program.members[std::size_t(ranks[lane])];
+            at[lane] = ranks[lane];
+            iors[lane] = member.ior;
+            media[lane] = double(member.medium);
+            const std::uint32_t bit = 1u << lane;
+            are_dressed = member.clear ? are_dressed & ~bit : are_dressed | bit;
+            attenuate = member.attenuates ? attenuate | bit : attenuate & ~bit;
+        });
+        rank = load(at.at);
+        ior = load(iors.at);
+        if (!program.ior_tells_medium) medium = load(media.at);
+        if (program.has_dressed) dressed = mask_of(are_dressed);
+        if (program.attenuates) attenuates = mask_of(attenuate);
+    }
 };
 
 /// Rays that go on from an event, apart from what it says itself.
@@ -108,19 +128,32 @@ struct Child {
     U code, key;
 };
 
-/// Events on spheres, of all sizes.
+/// The spheres, of all sizes, that events are on.
 struct Round {
     M which;
     F3 center;
     F radius, inverse_radius;
-
-    HWY_INLINE void add(M here, const F3& c, F r, F inverse) {
-        which = which | here;
-        center = select(here, c, center);
-        radius = select(here, r, radius);
-        inverse_radius = select(here, inverse, inverse_radius);
-    }
 };
+
+HWY_INLINE Top select(M m, const Top& x, const Top& y, const Program& program) {
+    Top result = y;
+    result.rank = select(m, x.rank, y.rank);
+    result.ior = select(m, x.ior, y.ior);
+    result.face = select(m, x.face, y.face);
+    if (!program.ior_tells_medium) result.medium = select(m, x.medium, y.medium);
+    if (program.has_dressed) result.dressed = select_mask(m, x.dressed, y.dressed);
+    if (program.attenuates) result.attenuates = select_mask(m, x.attenuates, y.attenuates);
+    return result;
+}
+
+/// The nearest true crossing so far.
+struct Crossing {
+    F t;
+    F id;    // index of the solid + 1, or `small_sphere_id`; negative where its shape is left
+    F face;  // whole number
+    F end;   // where the stretch ends that it begins, if the program needs to know
+};
+inline constexpr double small_sphere_id = most_solids + 1;
 
 struct Batch {
     RayStack* stack = nullptr;       // where the rays stood
@@ -137,10 +170,11 @@ struct Batch {
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any
     SphereStretches spheres[lanes];
+    Doubles sphere_ranks;            // of nearest crossings with small spheres
     std::uint32_t near_spheres = 0;  // lanes that have some
-    // The nearest crossing that is true.
-    F nearest, pivot_magnitude;
-    M unsure;  // too close to call
+    Crossing nearest;
+    F first, second;  // the two nearest crossings, true or not, one of a stretch
+    M unsure;         // too close to call
     // The event: what is there just before and just after it.
     M met;
     F t;
@@ -155,9 +189,17 @@ struct Batch {
     M same, nothing, glass, painted, dressed;
     M by_surface;   // it stands in no list
     F owner, face;  // rank of the solid whose surface it is
+    U owner_index;  // and its place among the program's, if it is no small sphere
     F3 point, normal;
     F magnitude;  // M at the point
 };
+
+/// The face number of a contact, in its place in the word of all contacts; 15: some face beyond the
+/// numbers that fit.
+HWY_INLINE U contact_word(F face, int index) {
+    const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
+    return shift_left(as_words(with_exponent) & U(15), 4 * index);
+}
 
 /// The stretch of a ray in one small sphere, as `sphere_span` and `resolve` have it for lanes;
 /// false if there is none.

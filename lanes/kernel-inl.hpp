@@ -7,6 +7,7 @@
 #define MENISCUS_LANES_KERNEL
 #endif
 
+#include <bit>
 #include <cmath>
 
 #include "lanes/batch-inl.hpp"
@@ -16,10 +17,44 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
+/// What the solids are, by index: a number of each for `look_up`, and 0 behind them.
+struct Table {
+    using Column = double[most_solids + 1];
+    alignas(64) Column rank{}, ior{}, medium{}, magnitude{};
+    alignas(64) Column inverse{}, surface{}, dressed{}, attenuates{};  // 1: it is
+    alignas(64) Column bit[list_words]{};                              // its place, as bits
+    alignas(64) Column x{}, y{}, z{}, radius{}, inverse_radius{};      // of plain balls; else 0
+
+    explicit Table(const Program& program) {
+        for (std::size_t i = 0; i < program.solids.size(); ++i) {
+            const Solid& solid = program.solids[i];
+            const bool is_member = solid.rank >= 0;
+            const Member& member =
+                is_member ? program.members[std::size_t(solid.rank)] : program.outside;
+            rank[i] = solid.rank;
+            ior[i] = member.ior;
+            medium[i] = member.medium;
+            magnitude[i] = solid.magnitude;
+            inverse[i] = solid.inverse;
+            surface[i] = !is_member;
+            dressed[i] = !member.clear;
+            attenuates[i] = member.attenuates;
+            if (is_plain_ball(solid)) {
+                x[i] = solid.center.x;
+                y[i] = solid.center.y;
+                z[i] = solid.center.z;
+                radius[i] = solid.radius;
+                inverse_radius[i] = solid.inverse_radius;
+            }
+            bit[solid.place / 64][i] = std::bit_cast<double>(1ull << (solid.place % 64));
+        }
+    }
+};
+
 class Kernel {
 public:
     Kernel(const Program& program, Host& host, Stacks& stacks, std::int64_t* sums)
-        : program_(program), host_(host), stacks_(stacks), sums_(sums) {
+        : program_(program), host_(host), stacks_(stacks), sums_(sums), table_(program) {
         for (std::size_t rank = 0; rank < program.members.size(); ++rank) {
             const Member& member = program.members[rank];
             if (member.in_group) group_bits_[rank / 64] |= 1ull << (rank % 64);
@@ -36,16 +71,22 @@ private:
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
     void find_stretches(Batch& batch);
     HWY_INLINE void meet(Batch& batch, std::size_t solid);
+    HWY_INLINE void meet_ball(Batch& batch, std::size_t solid);
+    HWY_INLINE M hidden_from(const Batch& batch, const Solid& solid) const;
+    HWY_INLINE void offer(Batch& batch, const Solid& solid, std::size_t i, const Stretch& stretch,
+                          M hidden);
     HWY_INLINE Span ask_span(const Batch& batch, const Solid& solid, U contact, M which);
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch);
+    HWY_INLINE void own_by_small_spheres(Batch& batch, Top& owner, List& bit) const;
+    HWY_INLINE F nearest_magnitude(const Batch& batch) const;
     void find_event(Batch& batch);
-    template <bool exact>
-    HWY_INLINE bool make_lists(Batch& batch);
-    template <bool exact>
-    HWY_INLINE M list_small_spheres(Batch& batch, F low_bound, F high_bound, F pivot, F reach,
-                                    M crossed, M& torn, Top& before, Top& after);
+    HWY_INLINE void change_lists(Batch& batch);
+    HWY_INLINE void cover_by_small_spheres(const List& list, Top& top) const;
+    void make_lists(Batch& batch);
+    HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
+                                       Top& after);
     HWY_INLINE M are_both(const Tie& tie, const List& list) const;
     HWY_INLINE void hand_over(Batch& batch, RayStack& stack);
     HWY_INLINE void count_event(Batch& batch);
@@ -53,6 +94,7 @@ private:
     HWY_INLINE void attenuate(Batch& batch);
     HWY_INLINE void arrive(const Batch& batch, M gone);
     HWY_INLINE void put_on_faces(Batch& batch);
+    HWY_INLINE void put_on_balls(Batch& batch, M by_member, F& owner_magnitude) const;
     HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
     HWY_INLINE void add_small_spheres(const Batch& batch, M by_member, Round& round,
                                       F& owner_magnitude) const;
@@ -77,9 +119,7 @@ private:
     Stacks& stacks_;
     std::int64_t* sums_;
     Counts counts_;
-    // How often crossings lay together of late: steps to go without trying a coarse bound first.
-    static constexpr int crowded_cost = 8, most_crowded = 16;
-    int crowded_ = 0;
+    Table table_;
     std::vector<double> magnitudes_;             // of grouped spheres, by rank
     std::uint64_t group_bits_[list_words] = {};  // their places
 };

@@ -1,4 +1,4 @@
-// Second stage of a step: what coincides, and what the rays are inside of before and after it.
+// Second stage of a step: the event, and what the rays are inside of before and after it.
 
 #if defined(MENISCUS_LANES_LISTS) == defined(HWY_TARGET_TOGGLE)
 #ifdef MENISCUS_LANES_LISTS
@@ -12,28 +12,29 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// The face number of a contact, in its place in the word of all contacts; 15: some face beyond the
-/// numbers that fit.
-HWY_INLINE U contact_word(F face, int index) {
-    const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
-    return shift_left(as_words(with_exponent) & U(15), 4 * index);
-}
-
 /// The event: the nearest true crossing, what coincides with it, and the lists just before and
 /// just after.
 inline void Kernel::find_event(Batch& batch) {
-    batch.met = batch.rays.active & (batch.nearest < F(infinity));
-    if (batch.is_shadow) batch.met = batch.met & (batch.nearest <= batch.rays.t_max);
-    batch.t = select(batch.met, batch.nearest, min(batch.rays.t_max, F(1e300)));
-    // Most crossings have the place to themselves. Then all bounds give the same lists, and a
-    // coarse one will do; where that fails often it is not tried.
-    if (crowded_ < most_crowded) {
-        if (make_lists<false>(batch)) return;
-        crowded_ += crowded_cost;
+    const Rays& rays = batch.rays;
+    const Crossing& nearest = batch.nearest;
+    batch.met = rays.active & (nearest.t < F(infinity));
+    if (batch.is_shadow) batch.met = batch.met & (nearest.t <= rays.t_max);
+    const F t = select(batch.met, nearest.t, min(rays.t_max, F(1e300)));
+    batch.t = t;
+    // Most crossings have the place to themselves, and no false ones before them.
+    const F beyond = t + max(F(1e-7) * (rays.largest + t + F(program_.largest_magnitude)),
+                             F(100.0 * program_.contact_tolerance));
+    const F next = select(batch.met, min(batch.second, nearest.end), batch.first);
+    const M alone = (beyond < next) & (t <= batch.first);
+    if (any(but_not(rays.active, alone))) {
+        make_lists(batch);
     } else {
-        --crowded_;
+        change_lists(batch);
     }
-    make_lists<true>(batch);
+    M both = no_lanes();
+    for (const Tie& tie : program_.ties)
+        both = both | are_both(tie, batch.before) | are_both(tie, batch.after);
+    batch.unsure = rays.active & (batch.unsure | (batch.met & both));
 }
 
 /// The rays that are inside of two kinds of a tie.
@@ -49,10 +50,56 @@ HWY_INLINE M Kernel::are_both(const Tie& tie, const List& list) const {
     return two;
 }
 
-/// With `exact` bounds, or with one coarse bound for all: false if then more than one crossing lies
-/// within it.
-template <bool exact>
-HWY_INLINE bool Kernel::make_lists(Batch& batch) {
+/// The lists where the event is all that happens on the way: one bit comes or goes.
+HWY_INLINE void Kernel::change_lists(Batch& batch) {
+    const Crossing& nearest = batch.nearest;
+    const M met = batch.met;
+    const U index = index_of(nearest.id);
+    batch.owner_index = index;
+    M leaves = nearest.id < F(0.0);
+    if (program_.has_inverse) leaves = leaves ^ (F(0.0) < look_up(table_.inverse, index));
+    M by_member = met;
+    batch.surface = F(double(no_rank));
+    if (program_.has_surfaces) {
+        const M by_surface = met & (F(0.0) < look_up(table_.surface, index));
+        by_member = but_not(met, by_surface);
+        batch.surface = select(by_surface, abs(nearest.id) - F(1.0), batch.surface);
+    }
+    Top owner(program_.outside), top = owner;
+    owner.rank = look_up(table_.rank, index);
+    owner.ior = look_up(table_.ior, index);
+    if (!program_.ior_tells_medium) owner.medium = look_up(table_.medium, index);
+    if (program_.has_dressed) owner.dressed = F(0.0) < look_up(table_.dressed, index);
+    if (program_.attenuates) owner.attenuates = F(0.0) < look_up(table_.attenuates, index);
+    batch.contacts = shift_left(as_words(min(nearest.face + F(1.0), F(15.0)) + F(0x1p52)) & U(15),
+                                shift_left(index, 2));
+    List bit;
+    for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
+    batch.sphere_contacts_after = U(0);
+    if (batch.near_spheres != 0) own_by_small_spheres(batch, owner, bit);
+
+    List rest;
+    for (int w = 0; w < program_.words; ++w) {
+        const U own = only(met, bit.word[w]);
+        const U with = batch.inside.word[w] | own;
+        rest.word[w] = but_not(batch.inside.word[w], own);
+        batch.before.word[w] = select(leaves, with, rest.word[w]);
+        batch.after.word[w] = select(leaves, rest.word[w], with);
+    }
+    for (const Solid& solid : program_.solids) {
+        if (solid.rank < 0) continue;
+        top.cover(shares(rest.word[solid.place / 64], U(1ull << (solid.place % 64))), solid.rank,
+                  program_);
+    }
+    if (!program_.groups.empty()) cover_by_small_spheres(rest, top);
+    batch.before_top = select(by_member & leaves, owner, top, program_);
+    batch.after_top = select(but_not(by_member, leaves), owner, top, program_);
+    batch.before_top.face = batch.after_top.face = batch.surface_face = nearest.face;
+    batch.false_crossings = F(0.0);
+}
+
+/// The lists anew, from all stretches: what lies within the tolerance of the event counts together.
+inline void Kernel::make_lists(Batch& batch) {
     Top before(program_.outside), after(program_.outside);
     const Rays& rays = batch.rays;
     const F t = batch.t;
@@ -62,18 +109,17 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch) {
     batch.surface_face = F(0.0);
     batch.false_crossings = F(0.0);
     const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
-    const F largest(program_.largest_magnitude);
-    const F pivot = program_.one_tolerance ? largest : batch.pivot_magnitude;
+    const F pivot =
+        program_.one_tolerance ? F(program_.largest_magnitude) : nearest_magnitude(batch);
     const F far = rays.largest + t;
-    const F reach = max(F(1e-7) * (far + (exact ? pivot : largest)), F(100.0) * least);
-    const F common = exact ? max(units * (far + pivot), least) : reach;
+    const F reach = max(F(1e-7) * (far + pivot), F(100.0) * least);
+    const F common = max(units * (far + pivot), least);
     F low = t - common, high = t + common;
     M torn = no_lanes();
-    M crossed = but_not(rays.active, batch.met), crowded = no_lanes();
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
         if (!batch.is_near[i] && !solid.inverse) continue;  // nowhere before, nowhere after
-        if (exact && !program_.one_tolerance) {
+        if (!program_.one_tolerance) {
             const F tolerance = max(units * (far + max(pivot, F(solid.magnitude))), least);
             low = t - tolerance;
             high = t + tolerance;
@@ -85,14 +131,8 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch) {
             const M entered = stretch.in < low, entered_after = stretch.in <= high;
             const M left = stretch.out < low, left_after = stretch.out <= high;
             const M enters = entered ^ entered_after, leaves = left ^ left_after;
-            if constexpr (exact) {
-                torn = torn | (enters ^ (abs(stretch.in - t) <= reach)) |
-                       (leaves ^ (abs(stretch.out - t) <= reach));
-            } else {
-                const M crosses = enters | leaves;
-                crowded = crowded | (crossed & crosses) | (enters & leaves);
-                crossed = crossed | crosses;
-            }
+            torn = torn | (enters ^ (abs(stretch.in - t) <= reach)) |
+                   (leaves ^ (abs(stretch.out - t) <= reach));
             is_before = is_before | but_not(entered, left);
             is_after = is_after | but_not(entered_after, left_after);
             once = once ^ enters ^ leaves;
@@ -127,31 +167,26 @@ HWY_INLINE bool Kernel::make_lists(Batch& batch) {
             after.face = select(is_after, face, after.face);
         }
     }
-    if (!exact && any(rays.active & crowded)) return false;
-    if (!program_.groups.empty()) {
-        const M more =
-            list_small_spheres<exact>(batch, low, high, pivot, reach, crossed, torn, before, after);
-        if (!exact && any(more)) return false;
-    }
-    for (const Tie& tie : program_.ties)
-        torn = torn | are_both(tie, batch.before) | are_both(tie, batch.after);
-    batch.unsure = rays.active & (batch.unsure | (batch.met & torn));
+    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
+    batch.unsure = batch.unsure | (batch.met & torn);
     batch.before_top = before;
     batch.after_top = after;
-    return true;
+    batch.owner_index = U(most_solids);  // no ball
+    const F owner = max(before.rank, after.rank);
+    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
+        if (is_plain_ball(program_.solids[i]))
+            batch.owner_index =
+                select(owner == F(double(program_.solids[i].rank)), U(i), batch.owner_index);
+    }
 }
 
-/// The same for small spheres, lane by lane: lanes with more than one crossing within a coarse
-/// bound, or `torn` by exact ones.
-template <bool exact>
-HWY_INLINE M Kernel::list_small_spheres(Batch& batch, F low_bound, F high_bound, F pivot, F reach,
-                                        M crossed, M& torn, Top& before, Top& after) {
+/// The same for small spheres, lane by lane.
+HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
+                                           Top& after) {
     batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres == 0) return no_lanes();
-    const Doubles at(batch.t), margin(reach), largest(batch.rays.largest), pivots(pivot),
-        lows(low_bound), highs(high_bound);
-    std::uint32_t doubtful = 0, covered_before = 0, covered_after = 0, crowded = 0;
-    const std::uint32_t others = bits(crossed);
+    if (batch.near_spheres == 0) return;
+    const Doubles at(batch.t), margin(reach), largest(batch.rays.largest), pivots(pivot);
+    std::uint32_t doubtful = 0, covered_before = 0, covered_after = 0;
     Doubles rank_before(before.rank), rank_after(after.rank), skipped(batch.false_crossings);
     Words list_before[list_words], list_after[list_words], contacts_after(U(0));
     for (int w = 0; w < program_.words; ++w) {
@@ -160,29 +195,21 @@ HWY_INLINE M Kernel::list_small_spheres(Batch& batch, F low_bound, F high_bound,
     }
     for_each(batch.near_spheres, [&](std::size_t lane) {
         const SphereStretches& list = batch.spheres[lane];
-        int contacts = 0, crossings = int(others >> lane & 1u);
+        int contacts = 0;
         for (int k = 0; k < list.size; ++k) {
             const SphereStretch& stretch = list.at[k];
-            double low = lows[lane], high = highs[lane];
-            if constexpr (exact) {
-                const double tolerance =
-                    std::max(program_.tolerance_units * unit_roundoff *
-                                 (largest[lane] + at[lane] +
-                                  std::max(pivots[lane], magnitudes_[std::size_t(stretch.rank)])),
-                             program_.contact_tolerance);
-                low = at[lane] - tolerance;
-                high = at[lane] + tolerance;
-            }
+            const double tolerance =
+                std::max(program_.tolerance_units * unit_roundoff *
+                             (largest[lane] + at[lane] +
+                              std::max(pivots[lane], magnitudes_[std::size_t(stretch.rank)])),
+                         program_.contact_tolerance);
+            const double low = at[lane] - tolerance, high = at[lane] + tolerance;
             const bool entered = stretch.in < low, entered_after = stretch.in <= high;
             const bool left = stretch.out < low, left_after = stretch.out <= high;
             const bool enters = entered != entered_after, leaves = left != left_after;
-            if constexpr (exact) {
-                if (enters != (std::abs(stretch.in - at[lane]) <= margin[lane]) ||
-                    leaves != (std::abs(stretch.out - at[lane]) <= margin[lane]))
-                    doubtful |= 1u << lane;
-            } else {
-                crossings += enters + leaves;
-            }
+            if (enters != (std::abs(stretch.in - at[lane]) <= margin[lane]) ||
+                leaves != (std::abs(stretch.out - at[lane]) <= margin[lane]))
+                doubtful |= 1u << lane;
             const std::size_t word = std::size_t(stretch.rank / 64);
             const std::uint64_t bit = 1ull << (stretch.rank % 64);
             if (entered && !left) {
@@ -208,9 +235,7 @@ HWY_INLINE M Kernel::list_small_spheres(Batch& batch, F low_bound, F high_bound,
             }
             skipped[lane] += (entered && stretch.in > -infinity) + left;
         }
-        if (crossings > 1) crowded |= 1u << lane;
     });
-    if (crowded != 0) return mask_of(crowded);
     if (doubtful != 0) torn = torn | mask_of(doubtful);
     batch.sphere_contacts_after = load(contacts_after.at);
     batch.false_crossings = load(skipped.at);
@@ -218,28 +243,8 @@ HWY_INLINE M Kernel::list_small_spheres(Batch& batch, F low_bound, F high_bound,
         batch.before.word[w] = load(list_before[w].at);
         batch.after.word[w] = load(list_after[w].at);
     }
-    const auto cover = [&](std::uint32_t which, const Doubles& ranks, Top& top) {
-        if (which == 0) return;
-        Doubles iors(top.ior), media(top.medium);
-        std::uint32_t dressed = bits(top.dressed), attenuates = bits(top.attenuates);
-        for (std::uint32_t left = which; left; left &= left - 1) {
-            const std::size_t lane = std::size_t(__builtin_ctz(left));
-            const Member& member = program_.members[std::size_t(ranks[lane])];
-            iors[lane] = member.ior;
-            media[lane] = double(member.medium);
-            const std::uint32_t bit = 1u << lane;
-            dressed = member.clear ? dressed & ~bit : dressed | bit;
-            attenuates = member.attenuates ? attenuates | bit : attenuates & ~bit;
-        }
-        top.rank = load(ranks.at);
-        top.ior = load(iors.at);
-        if (!program_.ior_tells_medium) top.medium = load(media.at);
-        if (program_.has_dressed) top.dressed = mask_of(dressed);
-        if (program_.attenuates) top.attenuates = mask_of(attenuates);
-    };
-    cover(covered_before, rank_before, before);
-    cover(covered_after, rank_after, after);
-    return no_lanes();
+    before.cover(covered_before, rank_before, program_);
+    after.cover(covered_after, rank_after, program_);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -16,11 +16,18 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// Where each solid's stretches of the rays lie, and the nearest crossing that is true.
 inline void Kernel::find_stretches(Batch& batch) {
-    batch.nearest = F(infinity);
-    batch.pivot_magnitude = F(0.0);
+    batch.nearest.t = batch.nearest.end = batch.first = batch.second = F(infinity);
+    batch.nearest.id = batch.nearest.face = F(0.0);
     batch.unsure = no_lanes();
+    batch.near_spheres = 0;
     // What is costly is asked last, when it is known how near a crossing must be.
-    for (const int i : program_.cheap_first) meet(batch, std::size_t(i));
+    for (const int i : program_.cheap_first) {
+        if (is_plain_ball(program_.solids[std::size_t(i)])) {
+            meet_ball(batch, std::size_t(i));
+        } else {
+            meet(batch, std::size_t(i));
+        }
+    }
     if (!program_.groups.empty()) find_small_spheres(batch);
     for (const int i : program_.foreign) meet(batch, std::size_t(i));
 }
@@ -43,7 +50,7 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     if (is_costly(solid.kind)) {
         const M named = is_member ? in_shape | has_contact : has_contact;
         const M near =
-            rays.active & (named | meet_sphere(rays, solid.middle, solid.reach, batch.nearest));
+            rays.active & (named | meet_sphere(rays, solid.middle, solid.reach, batch.nearest.t));
         if (!any(near)) {
             batch.is_near[i] = false;
             for (std::size_t slot = first; slot < end; ++slot)
@@ -82,6 +89,8 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
                       : select_mask(has_contact, in_shape,
                                     span.hit & (span.t0 < F(0.0)) & (F(0.0) < span.t1));
         stretches[first] = resolve(program_, solid, rays, span, begins_inside, has_contact, unsure);
+        stretches[first].face_in = span.face0;
+        stretches[first].face_out = span.face1;
     }
     if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
         if (batch.is_shadow) {
@@ -104,19 +113,54 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     batch.is_near[i] = any(near);
     if (!batch.is_near[i]) return;
 
-    // To enter and to leave are true crossings where nothing stronger is around.
-    M hidden = no_lanes();
-    for (std::size_t w = word; is_member && w < std::size_t(program_.words); ++w)
+    const M hidden = is_member ? hidden_from(batch, solid) : no_lanes();
+    for (std::size_t slot = first; slot < end; ++slot)
+        offer(batch, solid, i, stretches[slot], hidden);
+}
+
+/// To enter and to leave are true crossings where nothing stronger is around.
+HWY_INLINE M Kernel::hidden_from(const Batch& batch, const Solid& solid) const {
+    std::size_t w = std::size_t(solid.place / 64);
+    M hidden = shares(batch.inside.word[w], U(solid.stronger[w]));
+    while (++w < std::size_t(program_.words))
         hidden = hidden | shares(batch.inside.word[w], U(solid.stronger[w]));
-    for (std::size_t slot = first; slot < end; ++slot) {
-        const Stretch& stretch = stretches[slot];
-        const F end_of_way = select(stretch.in == F(-infinity), stretch.out, stretch.in);
-        const F crossing = is_member ? select(hidden, F(infinity), end_of_way) : end_of_way;
-        if (!program_.one_tolerance)
-            batch.pivot_magnitude =
-                select(crossing < batch.nearest, F(solid.magnitude), batch.pivot_magnitude);
-        batch.nearest = min(crossing, batch.nearest);
+    return hidden;
+}
+
+/// The same for the most frequent solid: a sphere that stands in the list, is where it was made and
+/// that all rays see.
+HWY_INLINE void Kernel::meet_ball(Batch& batch, std::size_t i) {
+    const Rays& rays = batch.rays;
+    const Solid& solid = program_.solids[i];
+    const M listed = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
+    const M has_contact = shares(rays.contacts, U(15ull << (4 * i)));
+    const Span span = ball_span(solid, rays.world, has_contact);
+    const Stretch stretch = resolve(program_, solid, rays, span, listed, has_contact, batch.unsure);
+    batch.is_near[i] = any(stretch.in < F(infinity));
+    batch.stretches[2 * i].in = stretch.in;
+    batch.stretches[2 * i].out = stretch.out;
+    if (batch.is_near[i]) offer(batch, solid, i, stretch, hidden_from(batch, solid));
+}
+
+/// Where a ray comes to a stretch, or to the end of the one that it starts in.
+HWY_INLINE void Kernel::offer(Batch& batch, const Solid& solid, std::size_t i,
+                              const Stretch& stretch, M hidden) {
+    const M leaves = stretch.in == F(-infinity);
+    const F t = select(leaves, stretch.out, stretch.in);
+    batch.second = min(batch.second, max(batch.first, t));
+    batch.first = min(batch.first, t);
+    Crossing& nearest = batch.nearest;
+    const M nearer = solid.rank >= 0 ? but_not(t < nearest.t, hidden) : t < nearest.t;
+    const double id = double(i + 1);
+    nearest.t = select(nearer, t, nearest.t);
+    nearest.id = select(nearer, select(leaves, F(-id), F(id)), nearest.id);
+    if (program_.has_faces) {
+        const F face =
+            has_faces(solid.kind) ? select(leaves, stretch.face_out, stretch.face_in) : F(0.0);
+        nearest.face = select(nearer, face, nearest.face);
     }
+    if (program_.needs_ends)
+        nearest.end = select(nearer, select(leaves, F(infinity), stretch.out), nearest.end);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -9,9 +9,9 @@
 namespace meniscus::lanes {
 
 /// At most so many solids stand in a ray's list: one bit each.
-inline constexpr int most_members = 240;
+inline constexpr int most_members = 241;
 /// At most so many solids are tried by every ray; small spheres stand in groups.
-inline constexpr int most_solids = 16;
+inline constexpr int most_solids = 15;
 /// Behind the members' bits each solid that is always met has one: on which side of it a ray is
 /// that was born on it.
 inline constexpr int list_words = (most_members + most_solids) / 64;
@@ -75,6 +75,12 @@ struct Solid {
     std::vector<Piece> pieces;        // lathe, about its y axis
     double height = 0.0, size = 0.0;  // lathe: halfway up; of its profile
 };
+
+/// A sphere that stands in the list, in the world's frame, that all rays see.
+inline bool is_plain_ball(const Solid& solid) {
+    return solid.kind == Kind::sphere && solid.rank >= 0 && !solid.placed && !solid.inverse &&
+           solid.to_camera && solid.to_mirrors && solid.to_lights;
+}
 
 /// Eight small spheres and a sphere around them.
 struct Group {
@@ -143,8 +149,13 @@ struct Program {
     bool grey = false;       // only rays to lights have colours: a ray's light is its weight
     int words = list_words;  // of the list
     std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
-    bool has_dressed = true;                // members whose skins are not clear
-    bool ior_tells_medium = true;           // media of one index are alike
+    bool has_surfaces = true;               // solids that stand in no list
+    bool has_inverse = true;                // complements
+    bool has_faces = true;                  // solids of more than one face
+    // Whether a stretch may be short against the coarse bound for coincidence and yet be sure.
+    bool needs_ends = true;
+    bool has_dressed = true;       // members whose skins are not clear
+    bool ior_tells_medium = true;  // media of one index are alike
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

@@ -63,7 +63,7 @@ public:
         words
     };
 
-    RayStack() { reserve(4096); }
+    RayStack() { reserve(512); }
 
     std::size_t size() const { return size_; }
     std::size_t capacity() const { return capacity_; }
@@ -86,33 +86,36 @@ public:
         capacity_ = capacity;
     }
 
-    void push(const WaitingRay& ray) { push_alike(ray, 1); }
-    /// Pushes copies; returns where the first of them is.
-    std::size_t push_alike(const WaitingRay& ray, std::size_t count) {
-        reserve(size_ + count);
-        const std::size_t first = size_;
-        size_ += count;
-        const auto numbers = [&](int field, double x) {
-            std::fill_n((*this)[Field(field)] + first, count, x);
-        };
-        const auto words = [&](int field, std::uint64_t x) {
-            std::fill_n(this->word(Field(field)) + first, count, x);
-        };
+    void push(const WaitingRay& ray) {
+        const std::size_t i = grow(1);
         for (int axis = 0; axis < 3; ++axis) {
-            numbers(ox + axis, ray.origin[axis]);
-            numbers(dx + axis, ray.direction[axis]);
-            numbers(red + axis, ray.throughput[axis]);
+            (*this)[Field(ox + axis)][i] = ray.origin[axis];
+            (*this)[Field(dx + axis)][i] = ray.direction[axis];
+            (*this)[Field(red + axis)][i] = ray.throughput[axis];
         }
-        numbers(weight, ray.weight);
-        numbers(t_max, ray.t_max);
-        numbers(birth, ray.birth_magnitude);
-        numbers(way, ray.way_before);
-        words(code, ray.code);
-        words(key, ray.key);
-        for (int w = 0; w < list_words; ++w) words(inside + w, ray.inside[std::size_t(w)]);
-        words(contacts, ray.contacts);
-        words(sphere_contacts, ray.sphere_contacts);
-        return first;
+        (*this)[weight][i] = ray.weight;
+        (*this)[t_max][i] = ray.t_max;
+        (*this)[birth][i] = ray.birth_magnitude;
+        (*this)[way][i] = ray.way_before;
+        word(code)[i] = ray.code;
+        word(key)[i] = ray.key;
+        for (int w = 0; w < list_words; ++w)
+            word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
+        word(contacts)[i] = ray.contacts;
+        word(sphere_contacts)[i] = ray.sphere_contacts;
+    }
+    /// Makes room for rays on top, whose fields are then set; returns where the first of them is.
+    std::size_t grow(std::size_t count) {
+        reserve(size_ + count);
+        size_ += count;
+        return size_ - count;
+    }
+    /// The same number or word in a field of all rays from `first` on.
+    void fill(Field field, std::size_t first, double x) {
+        std::fill((*this)[field] + first, (*this)[field] + size_, x);
+    }
+    void fill_words(Field field, std::size_t first, std::uint64_t x) {
+        std::fill(word(field) + first, word(field) + size_, x);
     }
 
 private:

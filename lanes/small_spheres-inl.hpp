@@ -45,7 +45,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         named = named | shares(batch.inside.word[w], U(group_bits_[w]));
     named = named & rays.active;
     const M near_all = rays.active & meet_sphere(rays, program_.groups_middle,
-                                                 program_.groups_reach, batch.nearest);
+                                                 program_.groups_reach, batch.nearest.t);
     if (!any(named | near_all)) return;
 
     // The rays are still on the stack, one by one.
@@ -60,8 +60,8 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     const std::uint64_t* const sphere_contacts = word(Stack::sphere_contacts);
     const std::uint64_t* inside[list_words];
     for (int w = 0; w < program_.words; ++w) inside[w] = word(Stack::inside + w);
-    Doubles near(batch.nearest), pivot(batch.pivot_magnitude);
-    std::uint32_t doubtful = 0, drawn = 0;
+    Doubles near(batch.nearest.t), first(batch.first), second(batch.second), ends;
+    std::uint32_t doubtful = 0, drawn = 0, all_drawn = 0, leaving = 0;
 
     const auto offer = [&](std::size_t lane, int rank, bool is_inside, bool has_contact) {
         const Member& member = program_.members[std::size_t(rank)];
@@ -86,12 +86,16 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         std::uint64_t hidden = 0;
         for (int w = 0; w < program_.words; ++w)
             hidden |= inside[w][lane] & member.stronger[std::size_t(w)];
-        const double candidate = is_inside ? stretch.out : stretch.in;
-        if (hidden == 0 && candidate < near[lane]) {
-            near[lane] = candidate;
-            drawn |= 1u << lane;
-            pivot[lane] = magnitudes_[std::size_t(rank)];
-        }
+        const double t = is_inside ? stretch.out : stretch.in;
+        second[lane] = std::min(second[lane], std::max(first[lane], t));
+        first[lane] = std::min(first[lane], t);
+        if (hidden != 0 || !(t < near[lane])) return;
+        const std::uint32_t bit = 1u << lane;
+        drawn |= bit;
+        near[lane] = t;
+        ends[lane] = is_inside ? infinity : stretch.out;
+        batch.sphere_ranks[lane] = double(rank);
+        leaving = is_inside ? leaving | bit : leaving & ~bit;
     };
     // Those that the list or a contact names, first: no box can hide them.
     for_each(named, [&](std::size_t lane) {
@@ -138,16 +142,80 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         }
     };
     const GroupTest test(rays);
-    F nearest = drawn ? load(near.at) : batch.nearest;
+    F nearest = drawn ? load(near.at) : batch.nearest.t;
     for (const Group& group : program_.groups) {
+        all_drawn |= drawn;
         drawn = 0;
         for_each(near_all & test.met(group, nearest),
                  [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
         if (drawn) nearest = load(near.at);
     }
-    batch.nearest = nearest;
-    batch.pivot_magnitude = load(pivot.at);
+    batch.first = load(first.at);
+    batch.second = load(second.at);
+    if (all_drawn |= drawn; all_drawn != 0) {
+        const M which = mask_of(all_drawn);
+        batch.nearest.t = nearest;
+        batch.nearest.id =
+            select(which, select(mask_of(leaving), F(-small_sphere_id), F(small_sphere_id)),
+                   batch.nearest.id);
+        batch.nearest.face = but_not(which, batch.nearest.face);
+        if (program_.needs_ends)
+            batch.nearest.end = select(which, load(ends.at), batch.nearest.end);
+    }
     batch.unsure = batch.unsure | mask_of(doubtful);
+}
+
+/// What is told of nearest crossings that are on small spheres.
+HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top& owner, List& bit) const {
+    const M drawn = batch.met & (abs(batch.nearest.id) == F(small_sphere_id));
+    if (!any(drawn)) return;
+    const std::uint32_t which = bits(drawn);
+    Words contacts, own[list_words];
+    for (int w = 0; w < program_.words; ++w) own[w] = Words(U(0));
+    for_each(which, [&](std::size_t lane) {
+        const auto rank = std::size_t(batch.sphere_ranks[lane]);
+        contacts[lane] = rank + 1;
+        own[rank / 64][lane] = 1ull << (rank % 64);
+    });
+    for (int w = 0; w < program_.words; ++w)
+        bit.word[w] = select(drawn, load(own[w].at), bit.word[w]);
+    batch.sphere_contacts_after = only(drawn, load(contacts.at));
+    batch.contacts = select(drawn, U(0), batch.contacts);
+    owner.cover(which, batch.sphere_ranks, program_);
+}
+
+/// Of the solid whose crossing is nearest.
+HWY_INLINE F Kernel::nearest_magnitude(const Batch& batch) const {
+    Doubles magnitude(look_up(table_.magnitude, index_of(batch.nearest.id)));
+    for_each(batch.near_spheres & bits(abs(batch.nearest.id) == F(small_sphere_id)),
+             [&](std::size_t lane) {
+                 magnitude[lane] = magnitudes_[std::size_t(batch.sphere_ranks[lane])];
+             });
+    return load(magnitude.at);
+}
+
+/// Small spheres in a list that are stronger than all solids in it.
+HWY_INLINE void Kernel::cover_by_small_spheres(const List& list, Top& top) const {
+    M some = no_lanes();
+    for (int w = 0; w < program_.words; ++w) some = some | shares(list.word[w], U(group_bits_[w]));
+    if (!any(some)) return;
+    Words words[list_words];
+    for (int w = 0; w < program_.words; ++w) words[w] = Words(list.word[w]);
+    Doubles ranks(top.rank);
+    std::uint32_t covered = 0;
+    for_each(some, [&](std::size_t lane) {
+        for (int w = program_.words - 1; w >= 0; --w) {
+            const std::uint64_t grouped = words[w][lane] & group_bits_[w];
+            if (grouped == 0) continue;
+            const int rank = 64 * w + 63 - __builtin_clzll(grouped);
+            if (ranks[lane] < rank) {
+                ranks[lane] = rank;
+                covered |= 1u << lane;
+            }
+            break;
+        }
+    });
+    top.cover(covered, ranks, program_);
 }
 
 /// The lanes whose events small spheres own.
@@ -170,7 +238,10 @@ HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M by_member, Round
     });
     if (here == 0) return;
     const M which = mask_of(here);
-    round.add(which, {load(x.at), load(y.at), load(z.at)}, load(radius.at), load(inverse.at));
+    round.which = round.which | which;
+    round.center = select(which, F3{load(x.at), load(y.at), load(z.at)}, round.center);
+    round.radius = select(which, load(radius.at), round.radius);
+    round.inverse_radius = select(which, load(inverse.at), round.inverse_radius);
     if (!program_.one_tolerance)
         owner_magnitude = select(which, load(magnitude.at), owner_magnitude);
 }

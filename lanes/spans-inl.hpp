@@ -37,7 +37,7 @@ struct Rays {
 /// What a line has inside a convex shape: (t0, t1), through face0 in and face1 out.
 struct Span {
     F t0, t1;
-    F face0, face1;  // whole numbers
+    F face0, face1;  // whole numbers, of shapes that have several
     M hit;
 };
 
@@ -45,7 +45,7 @@ struct Span {
 /// says that the ray starts inside.
 struct Stretch {
     F in, out;
-    F face_in, face_out;
+    F face_in, face_out;  // of shapes that have several
 };
 
 /// The rays in a solid's own frame; t stays what it is.
@@ -63,21 +63,34 @@ HWY_INLINE U contact_of(const Rays& rays, int index) {
     return shift_right(rays.contacts, 4 * index) & U(15);
 }
 
-HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, M pinned) {
-    Line scratch;
-    const Line& ray = local(solid, rays, scratch);
+/// The span of a sphere in a frame whose directions have unit length.
+HWY_INLINE Span ball_span(const Solid& solid, const Line& ray, M pinned) {
     const F3 e = ray.origin - F3(solid.center);
-    F b = dot(e, ray.direction);
-    if (solid.placed) b = b / ray.squared_length;
+    const F b = dot(e, ray.direction);
     const F3 f = e - b * ray.direction;
-    F discriminant = F(solid.radius * solid.radius) - dot(f, f);
-    if (solid.placed) discriminant = discriminant / ray.squared_length;
+    const F discriminant = F(solid.radius * solid.radius) - dot(f, f);
     // A ray born on the sphere meets it there and at twice the middle.
     const F half = select(pinned, abs(b), sqrt(max(discriminant, F(0.0))));
     Span span;
     span.t0 = -b - half;
     span.t1 = half - b;
-    span.face0 = span.face1 = F(0.0);
+    span.hit = F(0.0) < half;
+    return span;
+}
+
+/// The same in any frame.
+HWY_INLINE Span sphere_span(const Solid& solid, const Rays& rays, M pinned) {
+    if (!solid.placed) return ball_span(solid, rays.world, pinned);
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
+    const F3 e = ray.origin - F3(solid.center);
+    const F b = dot(e, ray.direction) / ray.squared_length;
+    const F3 f = e - b * ray.direction;
+    const F discriminant = (F(solid.radius * solid.radius) - dot(f, f)) / ray.squared_length;
+    const F half = select(pinned, abs(b), sqrt(max(discriminant, F(0.0))));
+    Span span;
+    span.t0 = -b - half;
+    span.t1 = half - b;
     span.hit = F(0.0) < half;
     return span;
 }
@@ -92,7 +105,6 @@ HWY_INLINE Span half_space_span(const Solid& solid, const Rays& rays, M pinned) 
     Span span;
     span.t0 = select(leaves | parallel, F(-infinity), t);
     span.t1 = select(leaves, t, F(infinity));
-    span.face0 = span.face1 = F(0.0);
     span.hit = !but_not(parallel, but_not(F(0.0) < depth, pinned));
     return span;
 }
@@ -186,8 +198,8 @@ HWY_INLINE Span cylinder_span(const Solid& solid, const Rays& rays, U contact) {
 }
 
 /// The rare cases of `resolve`, by exact bounds.
-HWY_INLINE void resolve_doubt(const Program& program, const Solid& solid, const Rays& rays,
-                              const Span& span, M inside, M astray, M& enters, M& unsure) {
+inline void resolve_doubt(const Program& program, const Solid& solid, const Rays& rays,
+                          const Span& span, M inside, M astray, M& enters, M& unsure) {
     const F start = max(span.t0, F(0.0));
     const F chord = span.t1 - start;
     const F at = rays.largest + F(solid.magnitude) + start;
@@ -208,9 +220,8 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     const F start = max(span.t0, F(0.0));
     // Seldom: a chord about as thin as the tolerance, or a start at which list and place disagree
     // by more than rounding.
-    const M thin = enters & (span.t1 - start < F(thin_chord) * start + (rays.thin + F(solid.thin)));
-    const F sure_start =
-        min(rays.sure_start - F(solid.sure_start), F(-2.0 * program.contact_tolerance));
+    const M thin = enters & (span.t1 - start < rays.thin + F(solid.thin));
+    const F sure_start = rays.sure_start - F(solid.sure_start);
     const M astray =
         but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)), has_contact);
     if (any(thin | astray))
@@ -219,8 +230,6 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     Stretch result;
     result.in = select(inside, F(-infinity), select(enters, start, F(infinity)));
     result.out = select(inside | enters, max(span.t1, F(0.0)), F(infinity));
-    result.face_in = span.face0;
-    result.face_out = span.face1;
     return result;
 }
 

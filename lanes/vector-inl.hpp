@@ -61,12 +61,15 @@ HWY_INLINE U operator+(U x, U y) { return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)}
 HWY_INLINE U operator&(U x, U y) { return {hn::And(x.a, y.a), hn::And(x.b, y.b)}; }
 HWY_INLINE U operator^(U x, U y) { return {hn::Xor(x.a, y.a), hn::Xor(x.b, y.b)}; }
 HWY_INLINE U operator|(U x, U y) { return {hn::Or(x.a, y.a), hn::Or(x.b, y.b)}; }
+/// x without the bits of y.
+HWY_INLINE U but_not(U x, U y) { return {hn::AndNot(y.a, x.a), hn::AndNot(y.b, x.b)}; }
 HWY_INLINE U shift_right(U x, int by) {
     return {hn::ShiftRightSame(x.a, by), hn::ShiftRightSame(x.b, by)};
 }
 HWY_INLINE U shift_left(U x, int by) {
     return {hn::ShiftLeftSame(x.a, by), hn::ShiftLeftSame(x.b, by)};
 }
+HWY_INLINE U shift_left(U x, U by) { return {hn::Shl(x.a, by.a), hn::Shl(x.b, by.b)}; }
 HWY_INLINE M operator==(U x, U y) {
     return {hn::RebindMask(doubles, hn::Eq(x.a, y.a)), hn::RebindMask(doubles, hn::Eq(x.b, y.b))};
 }
@@ -137,6 +140,9 @@ HWY_INLINE F select(M m, F x, F y) {
     return {hn::IfThenElse(m.a, x.a, y.a), hn::IfThenElse(m.b, x.b, y.b)};
 }
 HWY_INLINE F only(M m, F x) { return {hn::IfThenElseZero(m.a, x.a), hn::IfThenElseZero(m.b, x.b)}; }
+HWY_INLINE F but_not(M m, F x) {
+    return {hn::IfThenZeroElse(m.a, x.a), hn::IfThenZeroElse(m.b, x.b)};
+}
 HWY_INLINE U select(M m, U x, U y) {
     return {hn::IfThenElse(hn::RebindMask(integers, m.a), x.a, y.a),
             hn::IfThenElse(hn::RebindMask(integers, m.b), x.b, y.b)};
@@ -165,6 +171,20 @@ HWY_INLINE U as_words(F x) { return {hn::BitCast(integers, x.a), hn::BitCast(int
 HWY_INLINE F as_doubles(U x) { return {hn::BitCast(doubles, x.a), hn::BitCast(doubles, x.b)}; }
 /// Whole numbers below 2^52 as doubles.
 HWY_INLINE F to_double(U x) { return as_doubles(x | U(0x4330000000000000ull)) - F(0x1p52); }
+/// From ids (solid index + 1, of either sign): the index, below 16.
+HWY_INLINE U index_of(F id) { return as_words(abs(id) + F(0x1p52 - 1.0)) & U(15); }
+/// table[index] for a table of 16.
+HWY_INLINE F look_up(const double* table, U index) {
+#if HWY_TARGET == HWY_AVX3
+    const __m512d low = _mm512_load_pd(table), high = _mm512_load_pd(table + 8);
+    return {hn::Vec<DoubleTag>{_mm512_permutex2var_pd(low, index.a.raw, high)},
+            hn::Vec<DoubleTag>{_mm512_permutex2var_pd(low, index.b.raw, high)}};
+#else
+    const hn::Rebind<std::int64_t, DoubleTag> signed_tag;
+    return {hn::GatherIndex(doubles, table, hn::BitCast(signed_tag, index.a)),
+            hn::GatherIndex(doubles, table, hn::BitCast(signed_tag, index.b))};
+#endif
+}
 /// The nearest whole number of each, as two's complement; |x| < 2^51.
 HWY_INLINE U round_to_word(F x) {
     return as_words(x + F(0x1.8p52)) + U(0ull - 0x4338000000000000ull);

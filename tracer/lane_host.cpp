@@ -125,7 +125,16 @@ void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
 void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
     using Stack = lanes::RayStack;
     const std::size_t count = std::min(wanted, samples_->size() - next_sample_);
-    const std::size_t first = stack.push_alike(start_, count);
+    const std::size_t first = stack.grow(count);
+    for (int axis = 0; axis < 3; ++axis)
+        stack.fill(Stack::Field(Stack::ox + axis), first, start_.origin[axis]);
+    stack.fill(Stack::weight, first, start_.weight);
+    stack.fill(Stack::birth, first, start_.birth_magnitude);
+    stack.fill(Stack::way, first, start_.way_before);
+    for (int w = 0; w < program_.words; ++w)
+        stack.fill_words(Stack::Field(Stack::inside + w), first, start_.inside[std::size_t(w)]);
+    stack.fill_words(Stack::contacts, first, start_.contacts);
+    stack.fill_words(Stack::sphere_contacts, first, start_.sphere_contacts);
     for (std::size_t i = 0; i < count; ++i) {
         const Sample& sample = (*samples_)[next_sample_ + i];
         const Vec3 direction =

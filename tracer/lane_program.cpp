@@ -408,6 +408,16 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     for (lanes::Solid& solid : program.solids) {
         if (solid.rank >= 0) solid.stronger = program.members[std::size_t(solid.rank)].stronger;
     }
+    program.has_surfaces =
+        std::ranges::any_of(program.solids, [](const auto& solid) { return solid.rank < 0; });
+    program.has_inverse =
+        std::ranges::any_of(program.solids, [](const auto& solid) { return solid.inverse; });
+    program.has_faces = std::ranges::any_of(
+        program.solids, [](const auto& solid) { return lanes::has_faces(solid.kind); });
+    program.needs_ends = !program.one_tolerance || scene.contact_tolerance > 0.0 ||
+                         std::ranges::any_of(program.solids, [](const auto& solid) {
+                             return lanes::has_two_stretches(solid.kind);
+                         });
     program.has_dressed =
         std::ranges::any_of(program.members, [](const auto& member) { return !member.clear; });
     program.ior_tells_medium = ior_tells_medium(program);
