@@ -72,6 +72,7 @@ private:
     void find_stretches(Batch& batch);
     HWY_INLINE void meet(Batch& batch, std::size_t solid);
     HWY_INLINE void meet_ball(Batch& batch, std::size_t solid);
+    HWY_INLINE void meet_floor(Batch& batch, std::size_t solid);
     HWY_INLINE M hidden_from(const Batch& batch, const Solid& solid) const;
     HWY_INLINE void offer(Batch& batch, const Solid& solid, std::size_t i, const Stretch& stretch,
                           M hidden);

@@ -22,8 +22,11 @@ inline void Kernel::find_stretches(Batch& batch) {
     batch.near_spheres = 0;
     // What is costly is asked last, when it is known how near a crossing must be.
     for (const int i : program_.cheap_first) {
-        if (is_plain_ball(program_.solids[std::size_t(i)])) {
+        const Solid& solid = program_.solids[std::size_t(i)];
+        if (is_plain_ball(solid)) {
             meet_ball(batch, std::size_t(i));
+        } else if (is_plain_floor(solid)) {
+            meet_floor(batch, std::size_t(i));
         } else {
             meet(batch, std::size_t(i));
         }
@@ -120,9 +123,8 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
 
 /// To enter and to leave are true crossings where nothing stronger is around.
 HWY_INLINE M Kernel::hidden_from(const Batch& batch, const Solid& solid) const {
-    std::size_t w = std::size_t(solid.place / 64);
-    M hidden = shares(batch.inside.word[w], U(solid.stronger[w]));
-    while (++w < std::size_t(program_.words))
+    M hidden = no_lanes();
+    for (auto w = std::size_t(solid.place / 64); w < std::size_t(program_.words); ++w)
         hidden = hidden | shares(batch.inside.word[w], U(solid.stronger[w]));
     return hidden;
 }
@@ -140,6 +142,25 @@ HWY_INLINE void Kernel::meet_ball(Batch& batch, std::size_t i) {
     batch.stretches[2 * i].in = stretch.in;
     batch.stretches[2 * i].out = stretch.out;
     if (batch.is_near[i]) offer(batch, solid, i, stretch, hidden_from(batch, solid));
+}
+
+/// And for half-spaces that stand in no list: no chord of theirs is thin, and where a ray was not
+/// born on them its place tells on which side it is.
+HWY_INLINE void Kernel::meet_floor(Batch& batch, std::size_t i) {
+    const Rays& rays = batch.rays;
+    const Solid& solid = program_.solids[i];
+    const M listed = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
+    const M has_contact = shares(rays.contacts, U(15ull << (4 * i)));
+    const F3 n(solid.center);
+    const F slope = dot(rays.world.direction, n);
+    const F depth = F(solid.distance) - dot(rays.world.origin, n);
+    const M inside = select_mask(has_contact, listed, F(0.0) < depth);
+    const F t = max(but_not(has_contact, depth / slope), F(0.0));
+    Stretch& stretch = batch.stretches[2 * i];
+    stretch.in = select(inside, F(-infinity), select(slope < F(0.0), t, F(infinity)));
+    stretch.out = select(inside & (F(0.0) < slope), t, F(infinity));
+    batch.is_near[i] = any(stretch.in < F(infinity));
+    if (batch.is_near[i]) offer(batch, solid, i, stretch, no_lanes());
 }
 
 /// Where a ray comes to a stretch, or to the end of the one that it starts in.

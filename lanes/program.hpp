@@ -31,7 +31,9 @@ inline constexpr double thin_chord = 1e-6;
 enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
 
 /// Whether it is worth a look first whether a ray comes near it.
-inline bool is_costly(Kind kind) { return kind != Kind::sphere && kind != Kind::half_space; }
+inline bool is_costly(Kind kind) {
+    return kind != Kind::sphere && kind != Kind::half_space && kind != Kind::cylinder;
+}
 /// Whether the host meets it.
 inline bool is_foreign(Kind kind) { return kind >= Kind::other_convex; }
 /// Whether a ray may be inside of it twice.
@@ -79,6 +81,12 @@ struct Solid {
 /// A sphere that stands in the list, in the world's frame, that all rays see.
 inline bool is_plain_ball(const Solid& solid) {
     return solid.kind == Kind::sphere && solid.rank >= 0 && !solid.placed && !solid.inverse &&
+           solid.to_camera && solid.to_mirrors && solid.to_lights;
+}
+
+/// A half-space that stands in no list, in the world's frame, that all rays see.
+inline bool is_plain_floor(const Solid& solid) {
+    return solid.kind == Kind::half_space && solid.rank < 0 && !solid.placed && !solid.inverse &&
            solid.to_camera && solid.to_mirrors && solid.to_lights;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,12 @@ struct RayCode {
     static constexpr std::uint64_t shadow = 1ull << 40;     // goes to a light
     static constexpr std::uint64_t straight = 1ull << 41;   // takes no level of its own
     static constexpr std::uint64_t reflected = 1ull << 42;  // comes from a mirror
+    // The bits above are the upper ones of a double: M where the ray was born, rounded up.
+    static constexpr std::uint64_t one_birth = 1ull << 43, birth_mask = ~(one_birth - 1);
+    static std::uint64_t of_birth(double magnitude) {
+        return (std::bit_cast<std::uint64_t>(magnitude) + one_birth) & birth_mask;
+    }
+    static double birth(std::uint64_t code) { return std::bit_cast<double>(code & birth_mask); }
 };
 
 /// A ray that waits.
@@ -28,7 +35,8 @@ struct WaitingRay {
     geom::Vec3 origin, direction, throughput;
     double weight = 1.0;            // POV-Ray's: specular factors only
     double t_max = geom::infinity;  // finite for shadow rays only
-    double birth_magnitude = 0.0;   // M where it was born: how far its origin may be off
+    double birth_magnitude = 0.0;   // M where it was born: how far its origin may be off; not yet
+                                    // in `code`
     double way_before = 0.0;        // covered in this medium since the last surface
     std::uint64_t code = 0, key = 0;
     Places inside{};                    // the list
@@ -52,7 +60,6 @@ public:
         blue,
         weight,
         t_max,
-        birth,
         way,
         doubles,
         code = 0,
@@ -95,9 +102,8 @@ public:
         }
         (*this)[weight][i] = ray.weight;
         (*this)[t_max][i] = ray.t_max;
-        (*this)[birth][i] = ray.birth_magnitude;
         (*this)[way][i] = ray.way_before;
-        word(code)[i] = ray.code;
+        word(code)[i] = (ray.code & ~RayCode::birth_mask) | RayCode::of_birth(ray.birth_magnitude);
         word(key)[i] = ray.key;
         for (int w = 0; w < list_words; ++w)
             word(Field(inside + w))[i] = ray.inside[std::size_t(w)];

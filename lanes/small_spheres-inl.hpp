@@ -55,8 +55,8 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     };
     const double *const ox = number(Stack::ox), *const oy = number(Stack::oy),
                         *const oz = number(Stack::oz), *const dx = number(Stack::dx),
-                        *const dy = number(Stack::dy), *const dz = number(Stack::dz),
-                        *const birth = number(Stack::birth);
+                        *const dy = number(Stack::dy), *const dz = number(Stack::dz);
+    const std::uint64_t* const code = word(Stack::code);
     const std::uint64_t* const sphere_contacts = word(Stack::sphere_contacts);
     const std::uint64_t* inside[list_words];
     for (int w = 0; w < program_.words; ++w) inside[w] = word(Stack::inside + w);
@@ -69,9 +69,10 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         bool doubt = false;
         const geom::Vec3 origin{ox[lane], oy[lane], oz[lane]};
         const double largest = geom::max_abs(origin);
-        const bool met = sphere_stretch(program_, origin, {dx[lane], dy[lane], dz[lane]},
-                                        member.center, member.radius, is_inside, has_contact,
-                                        largest, std::max(birth[lane], largest), stretch, doubt);
+        const bool met =
+            sphere_stretch(program_, origin, {dx[lane], dy[lane], dz[lane]}, member.center,
+                           member.radius, is_inside, has_contact, largest,
+                           std::max(RayCode::birth(code[lane]), largest), stretch, doubt);
         if (doubt) doubtful |= 1u << lane;
         if (!met) return;
         stretch.rank = rank;

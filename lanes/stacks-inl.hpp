@@ -31,7 +31,9 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
     rays.t_max = is_shadow ? numbers(Stack::t_max) : F(infinity);
     rays.largest =
         max(max(abs(rays.world.origin.x), abs(rays.world.origin.y)), abs(rays.world.origin.z));
-    rays.birth = max(numbers(Stack::birth), rays.largest);
+    batch.code = words(Stack::code);
+    rays.birth = max(as_doubles(batch.code & U(RayCode::birth_mask)), rays.largest);
+    batch.code = batch.code & U(~RayCode::birth_mask);
     rays.sure_start = F(-2.0 * program_.tolerance_units * unit_roundoff) * rays.birth;
     // No point of a solid is farther away than 1.8 (largest + its magnitude).
     rays.thin = F(3.0 * thin_chord) * rays.largest;
@@ -45,7 +47,6 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
         batch.throughput = {batch.weight, batch.weight, batch.weight};
     }
     batch.way_before = program_.attenuates ? numbers(Stack::way) : F(0.0);
-    batch.code = words(Stack::code);
     batch.key = has_key(is_shadow) ? words(Stack::key) : U(0);
     for (int w = 0; w < program_.words; ++w)
         batch.inside.word[w] = words(Stack::Field(Stack::inside + w));
@@ -71,8 +72,8 @@ inline void Kernel::push(RayStack& stack, const Batch& batch, M which, const Chi
     numbers(Stack::dx, child.direction.x);
     numbers(Stack::dy, child.direction.y);
     numbers(Stack::dz, child.direction.z);
-    numbers(Stack::birth, batch.magnitude);
-    words(Stack::code, child.code);
+    const U birth = (as_words(batch.magnitude) + U(RayCode::one_birth)) & U(RayCode::birth_mask);
+    words(Stack::code, child.code | birth);
     words(Stack::contacts, batch.contacts);
     for (int w = 0; w < program_.words; ++w) words(Stack::Field(Stack::inside + w), list.word[w]);
     if (is_shadow) {
@@ -101,9 +102,10 @@ inline WaitingRay Kernel::waiting(RayStack& stack, std::size_t at, bool is_shado
     if (has_colour(is_shadow))
         ray.throughput = {stack[Stack::red][at], stack[Stack::green][at], stack[Stack::blue][at]};
     if (is_shadow) ray.t_max = stack[Stack::t_max][at];
-    ray.birth_magnitude = stack[Stack::birth][at];
     if (program_.attenuates) ray.way_before = stack[Stack::way][at];
-    ray.code = stack.word(Stack::code)[at];
+    const std::uint64_t code = stack.word(Stack::code)[at];
+    ray.code = code & ~RayCode::birth_mask;
+    ray.birth_magnitude = RayCode::birth(code);
     if (has_key(is_shadow)) ray.key = stack.word(Stack::key)[at];
     for (int w = 0; w < program_.words; ++w)
         ray.inside[std::size_t(w)] = stack.word(Stack::Field(Stack::inside + w))[at];

@@ -129,7 +129,6 @@ void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
     for (int axis = 0; axis < 3; ++axis)
         stack.fill(Stack::Field(Stack::ox + axis), first, start_.origin[axis]);
     stack.fill(Stack::weight, first, start_.weight);
-    stack.fill(Stack::birth, first, start_.birth_magnitude);
     stack.fill(Stack::way, first, start_.way_before);
     for (int w = 0; w < program_.words; ++w)
         stack.fill_words(Stack::Field(Stack::inside + w), first, start_.inside[std::size_t(w)]);
@@ -144,7 +143,8 @@ void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
             stack[Stack::Field(Stack::dx + axis)][first + i] = direction[axis];
             stack[Stack::Field(Stack::red + axis)][first + i] = sample.weight;
         }
-        stack.word(Stack::code)[first + i] = sample.target;
+        stack.word(Stack::code)[first + i] =
+            sample.target | lanes::RayCode::of_birth(start_.birth_magnitude);
         stack.word(Stack::key)[first + i] = sample.key;
     }
     next_sample_ += count;

@@ -166,3 +166,23 @@ TEST_CASE("a scene that lanes cannot have says why", "[lanes]") {
         tracer::render(read("examples/coarse_water.scene"), options(tracer::GridSampling{1}));
     CHECK(rendered.why_general == "a mesh");
 }
+
+// The short way for scenes without dielectrics against the way with lists, which checks take.
+TEST_CASE("without a dielectric, pictures are those of the way with lists", "[tracer]") {
+    const std::string name =
+        GENERATE("benchmarks/scenes/opaque.scene", "tests/lanes/opaque_contacts.scene");
+    const tracer::RenderScene scene = read(name);
+    REQUIRE(!scene.has_members);
+    for (const tracer::Sampling& sampling :
+         {tracer::Sampling{tracer::GridSampling{1}}, tracer::Sampling{tracer::CountSampling{4}}}) {
+        tracer::Options with_lists = options(sampling);
+        with_lists.check_segments = true;
+        const auto fast = one_by_one(scene, options(sampling));
+        const auto sure = one_by_one(scene, with_lists);
+        CHECK(fast.picture.rgb == sure.picture.rgb);
+        CHECK(sure.statistics.leaks == 0);
+        CHECK(fast.statistics.casts == sure.statistics.casts);
+        CHECK(fast.statistics.true_crossings == sure.statistics.true_crossings);
+        CHECK(fast.statistics.shadow_rays == sure.statistics.shadow_rays);
+    }
+}
