@@ -47,6 +47,10 @@ void check_usage(const CompareOptions& options) {
         throw UsageError("compare takes two pictures (.png, .exr), or scenes");
     if (pictures > 0 && !options.povray_source.empty())
         throw UsageError("--povray goes with a scene, not with two pictures");
+    const bool sweeps = !options.sweep.empty();
+    if (sweeps && !(options.model.empty() && !options.gap))
+        throw UsageError(
+            "--sweep-gap tries --model gap with gaps of its own; leave --model and --gap out");
     if ((options.model == "gap") != options.gap.has_value())
         throw UsageError("--model gap and --gap G go together");
     if (!options.povray_source.empty() && !options.model.empty())
@@ -58,7 +62,6 @@ void check_usage(const CompareOptions& options) {
         throw UsageError("-o, --report and --povray go with one scene at a time");
     if (!options.output.empty() && !is_picture(options.output))
         throw UsageError(fmt::format("'{}' must end in .png or .exr", options.output));
-    const bool sweeps = !options.sweep.empty();
     if (!sweeps && !(options.csv.empty() && options.svg.empty() && options.markdown.empty()))
         throw UsageError("--csv, --svg and --markdown go with --sweep-gap");
     if (sweeps && !(options.output.empty() && options.json.empty() && !options.tolerance))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/diagnostics.hpp"
 #include "cli/shell_words.hpp"
 #include "compare/jump_regions.hpp"
 #include "inspect/diagram.hpp"
@@ -228,6 +229,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
         options.scene.declarations.emplace_back("Meniscus=1");
     auto source_scene = povray::with_povrays_iors(read_scene(options.scene).scene);
     const auto source = make_source(given, source_scene);
+    for (const auto& warning : source.warnings) print_warning(warning);
     const auto other =
         options.explain ? make_other_side(given, source_scene) : std::optional<OtherSide>();
     if (options.model == povray::Model::gap)

@@ -118,6 +118,7 @@ TEST_CASE("what cannot be compared gets one clear error", "[compare]") {
         {"ball.scene --povray ball.scene --sweep-gap 1:x", 2, "1e-1:1e-9"},
         {"ball.scene --povray ball.scene --sweep-gap 1:0", 2, "1e-1:1e-9"},
         {"ball.scene --povray ball.scene --csv gap.csv", 2, "--sweep-gap"},
+        {"ball.scene --sweep-gap 1e-1:1e-2 --model gap --gap 0.1", 2, "--sweep-gap"},
     }));
     CAPTURE(arguments);
     const auto result = program.run("compare " + arguments);

@@ -3,6 +3,7 @@
 asserts on what the page then shows. Speaks WebDriver (W3C) to ChromeDriver, with nothing but Python's own library.
 
     report_in_a_browser.py MENISCUS CHROMEDRIVER [FOLDER_FOR_SCREENSHOTS]
+    report_in_a_browser.py --shoot REPORT.html CHROMEDRIVER OUT.png     # the viewer with its slider, as a picture
 """
 
 import base64
@@ -129,12 +130,16 @@ def on_screen(linear):
     return [round(255 * srgb(v)) for v in linear]
 
 
-def look(browser, meniscus, folder, comparison, shots):
-    browser.send("POST", "/url", {"url": (folder / "r.html").as_uri()})
+def open_report(browser, path):
+    browser.send("POST", "/url", {"url": path.as_uri()})
     for _ in range(100):
         if browser.run("return document.getElementById('canvas').dataset.ready") == "yes":
             break
         time.sleep(0.1)
+
+
+def look(browser, meniscus, folder, comparison, shots):
+    open_report(browser, folder / "r.html")
     check("the viewer is ready", browser.run("return !document.querySelector('.viewer').hidden"))
     check("nothing is loaded from elsewhere", browser.run("return performance.getEntriesByType('resource')"
                                                           ".every((r) => r.name.startsWith('data:'))"))
@@ -220,7 +225,21 @@ def look(browser, meniscus, folder, comparison, shots):
     shots and (shots / "print.pdf").write_bytes(pdf)
 
 
+def shoot(report, chromedriver, picture):
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        browser = Browser(chromedriver, folder)
+        try:
+            open_report(browser, pathlib.Path(report).resolve())
+            browser.type("#canvas", "3")
+            browser.set_range("#slider", 50)
+            browser.screenshot_of(".viewer", pathlib.Path(picture))
+        finally:
+            browser.close()
+
+
 def main():
+    if sys.argv[1] == "--shoot":
+        return shoot(*sys.argv[2:5])
     meniscus, chromedriver = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:3])
     shots = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
     shots and shots.mkdir(parents=True, exist_ok=True)

@@ -114,6 +114,7 @@ TEST_CASE("POV-Ray reads the export of every example without a warning", "[povra
             INFO(entry.path().filename() << ", model " << int(model));
             const auto exported = povray::export_scene(
                 scene, {.model = model, .gap = 1e-3, .scale = {}, .source = ""});
+            CHECK(exported.warnings.empty());
             const auto run = povray::run_text(exported.text, {.width = 8, .height = 6});
             CHECK(run.warnings.empty());
         }
