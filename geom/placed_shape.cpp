@@ -147,6 +147,18 @@ Shape taken_in(Shape shape, Transform& transform) {
     return shape;
 }
 
+/// What the shift adds to the magnitude of a shape that has taken its place in. The others' numbers
+/// hold it already; a plane's distance knows nothing of a shift along the plane, but the rounding
+/// of its normal moves the points there by as much as any.
+double hidden_shift(const Shape& shape, const Transform& transform) {
+    const auto* plane = std::get_if<Plane>(&shape);
+    if (!plane) return 0.0;
+    // An untouched normal's zeros are exact.
+    return transform.is_translation()
+               ? glm::dot(glm::abs(plane->normal(0, Vec3{0.0})), glm::abs(transform.shift()))
+               : 2.0 * max_abs(transform.shift());
+}
+
 }  // namespace
 
 PlacedShape::PlacedShape(Shape shape, const Transform& transform)
@@ -156,7 +168,9 @@ PlacedShape::PlacedShape(Shape shape, const Transform& transform)
       magnitude_(geom::magnitude(shape_)),
       closed_(geom::is_closed(shape_)),
       convex_(geom::is_convex(shape_)) {
-    if (!transform_.is_identity()) {
+    if (transform_.is_identity()) {
+        magnitude_ += hidden_shift(shape_, transform);
+    } else {
         magnitude_ = magnitude_ * transform_.largest_scale() + 2.0 * max_abs(transform_.shift());
     }
 }

@@ -92,6 +92,20 @@ bool Offers::is_at_surface(const TracedRay& ray, const Part& part, int depth, in
     return has_depth && has_other;
 }
 
+/// Whether the ray starts outside of the part's shape by more than rounding: no point near its
+/// origin is inside. The steps are short ones too, for solids that are hardly thicker than the
+/// tolerance.
+bool Offers::is_far_outside(const TracedRay& ray, const Part& part) const {
+    const double rounding = tolerance(scene_, start_magnitude(ray, part));
+    for (const double widening : {0.5, 1.0, 2.0}) {
+        for (int i = 0; i < 27; ++i) {
+            const geom::Vec3 step{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+            if (part.shape.contains(ray.ray.origin + widening * rounding * step)) return false;
+        }
+    }
+    return true;
+}
+
 /// A crossing is forced where list and position disagree by more than rounding; `disagreement` is a
 /// distance along the normal, which near an edge may be a neighbour's.
 void Offers::count_forced(const TracedRay& ray, const Part& part, double disagreement) {
@@ -112,6 +126,18 @@ void Offers::collect(const TracedRay& ray, int index, double t_max, Decisive dec
     }
 }
 
+/// Whether a line's interval, as computed, has the ray's origin in it, up to rounding. A line that
+/// misses has none, though it says where a ray that is inside leaves.
+bool Offers::holds_origin(const TracedRay& ray, const Part& part,
+                          const geom::Interval& interval) const {
+    if (!interval.hit) return false;
+    const auto is_near = [&](double t, geom::Face face) {
+        return is_rounding(ray, part, std::abs(t) * cosine(ray, part, face, t));
+    };
+    return (interval.t0 <= 0.0 || is_near(interval.t0, interval.face0)) &&
+           (interval.t1 >= 0.0 || is_near(interval.t1, interval.face1));
+}
+
 void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
                             const Contact* contact, double t_max, std::vector<Offer>& out) {
     const geom::Interval interval =
@@ -128,10 +154,9 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     }
 
     if (inside) {
+        if (!holds_origin(ray, part, interval) && is_far_outside(ray, part))
+            statistics_.count_leak({std::size_t(part.object), "forced crossing", ray.ray.origin});
         if (!(interval.t1 <= t_max) || interval.t1 == geom::infinity) return;
-        if (interval.t1 < 0.0 && !contact) {
-            count_forced(ray, part, -interval.t1 * cosine(ray, part, interval.face1, interval.t1));
-        }
         out.push_back({std::max(interval.t1, 0.0), index, interval.face1, part.inverse});
         return;
     }

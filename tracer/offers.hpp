@@ -73,6 +73,8 @@ private:
     double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
     double start_magnitude(const TracedRay& ray, const Part& part) const;
     bool is_rounding(const TracedRay& ray, const Part& part, double distance) const;
+    bool is_far_outside(const TracedRay& ray, const Part& part) const;
+    bool holds_origin(const TracedRay& ray, const Part& part, const geom::Interval& interval) const;
     bool is_at_surface(const TracedRay& ray, const Part& part, int depth, int other) const;
     void count_forced(const TracedRay& ray, const Part& part, double disagreement);
 

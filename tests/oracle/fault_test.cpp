@@ -6,6 +6,7 @@
 #include "tests/oracle/compare.hpp"
 #include "tests/oracle/random_shape.hpp"
 #include "tests/oracle/scene_builder.hpp"
+#include "tests/oracle/segment_check.hpp"
 
 using namespace meniscus;
 using namespace meniscus::oracle;
@@ -155,4 +156,21 @@ TEST_CASE("a dropped triangle is counted", "[oracle][fault]") {
     CHECK(statistics.leaks * 20 >= plan.planted);
     // The mesh is what is blamed.
     CHECK(statistics.leaks_by_object.begin()->first.first == 0);
+}
+
+TEST_CASE("from a leak on, a path is right again", "[oracle][fault]") {
+    for (const Fault fault : {Fault::skipped_crossing, Fault::flipped_sign}) {
+        for (const auto& scene : {balls(), meshes()}) {
+            // A walk asks far fewer times than that: none meets a second fault.
+            plan = {fault, 499};
+            const SegmentCheck check = check_segments(scene, 1, 60000);
+            plan.fault = Fault::none;
+            INFO(plan.planted << " planted, " << check.leaks << " leaks, " << check.wrong
+                              << " points wrong before they were noticed");
+            if (plan.planted == 0) continue;  // convex solids have no signs to flip
+            CHECK(check.leaks > 10);
+            CHECK(check.after_leak > 20);
+            CHECK(check.wrong_after_leak == 0);
+        }
+    }
 }

@@ -47,6 +47,7 @@ SegmentCheck check_segments(const scene::Scene& source, std::uint64_t seed,
                                                random.between(-0.5, 0.5) * source.camera.right +
                                                random.between(-0.5, 0.5) * source.camera.up);
         tracer::TracedRay ray = finder.start(start, tracer::RayKind::image);
+        const std::uint64_t leaks_before = statistics.leaks;
         for (int bounce = 0; bounce < 12 && check.segments < segments; ++bounce) {
             const auto event = finder.next(ray);
             const int listed = event ? event->solid_before : ray.interior.top_solid(scene);
@@ -56,8 +57,13 @@ SegmentCheck check_segments(const scene::Scene& source, std::uint64_t seed,
             const auto& r = ray.ray;
             const V p = (widen<Quad>(r.origin) + widen<Quad>(r.origin_error)) +
                         Quad(t) * widen<Quad>(r.direction);
+            const bool is_wrong = !is_there(world, p, listed, Quad(1e-9 * reach));
             ++check.segments;
-            check.wrong += !is_there(world, p, listed, Quad(1e-9 * reach));
+            check.wrong += is_wrong;
+            if (statistics.leaks > leaks_before) {
+                ++check.after_leak;
+                check.wrong_after_leak += is_wrong;
+            }
             if (!event || scene.parts[event->skin].is_opaque) break;
 
             const geom::Vec3 d = r.direction;

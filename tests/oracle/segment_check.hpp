@@ -10,6 +10,8 @@ struct SegmentCheck {
     std::uint64_t segments = 0;  // that were checked
     std::uint64_t wrong = 0;     // whose list has another solid on top than the point is in
     std::uint64_t leaks = 0;     // that the tracer counted itself
+    std::uint64_t after_leak = 0, wrong_after_leak = 0;  // of both, those of a walk from its first
+                                                         // leak on
 };
 
 /// Follows random walks of rays through the scene, at each surface by reflection or refraction, and
