@@ -23,7 +23,11 @@ struct Gap {
 class ArcSearch {
 public:
     ArcSearch(const LatheLine& line, const ProfileArc& arc, double magnitude, LatheRoots& out)
-        : line_(line), arc_(arc), precision_(unit_roundoff * magnitude), out_(out) {}
+        : line_(line),
+          arc_(arc),
+          precision_(unit_roundoff * magnitude),
+          near_axis_(line.dd > 0.0 ? 1e-6 * magnitude : -1.0),
+          out_(out) {}
 
     /// Between two joints, each at its height; the first comes first along the line.
     void between(const Station& a, const Station& b) {
@@ -42,6 +46,7 @@ private:
     /// On one side of the point nearest to the axis: radius and height of the line's path each only
     /// rise or only fall, as those of the arc do.
     void approaching_or_receding(const Station& a, const Station& b, bool approaching) {
+        approaching_ = approaching;
         const double across = arc_.normal.y * line_.ray.along_d * (approaching ? -1.0 : 1.0);
         // Against each other they cross once at most.
         const bool against = arc_.normal.x == 0.0 || across >= 0.0;
@@ -116,9 +121,15 @@ private:
         const AxialRay& ray = line_.ray;
         const double x = ray.across_e.x + t * ray.across_d.x;
         const double z = ray.across_e.z + t * ray.across_d.z;
-        const double radius = glm::sqrt(x * x + z * z);
-        const double outwards =
-            radius > 0.0 ? (x * ray.across_d.x + z * ray.across_d.z) / radius : glm::sqrt(line_.dd);
+        double radius = glm::sqrt(x * x + z * z);
+        double outwards = radius > 0.0 ? (x * ray.across_d.x + z * ray.across_d.z) / radius : 0.0;
+        if (radius < near_axis_) {
+            // x and z have lost their digits: as seen from the point nearest to the axis.
+            const double way = t - line_.nearest;
+            radius = glm::sqrt(line_.closest2 + line_.dd * way * way);
+            outwards = radius > 0.0 ? line_.dd * way / radius
+                                    : glm::sqrt(line_.dd) * (approaching_ ? -1.0 : 1.0);
+        }
         return {t, arc_.height({radius, line_.height(t)}),
                 arc_.normal.x * outwards + arc_.normal.y * ray.along_d, radius, outwards};
     }
@@ -240,6 +251,8 @@ private:
     const LatheLine& line_;
     const ProfileArc& arc_;
     double precision_;
+    double near_axis_;
+    bool approaching_ = false;
     LatheRoots& out_;
     double v_ = 0.0;  // of the arc, where it was asked last
 };

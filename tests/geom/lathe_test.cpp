@@ -167,6 +167,39 @@ TEST_CASE("lines through the joints of a profile cross it an even number of time
     }
 }
 
+TEST_CASE("a line through the point of a lathe may pass it by and enter farther on", "[geom]") {
+    // Its floor is y = r - r^2 / 3, whose point hangs down at the axis as a cone's does.
+    const Lathe bowl{Spline::bezier,
+                     {{0, 0},
+                      {1, 1},
+                      {2, 1},
+                      {3, 0},
+                      {3, 0},
+                      {3, 1},
+                      {3, 2},
+                      {3, 3},
+                      {3, 3},
+                      {2, 3},
+                      {1, 3},
+                      {0, 3}}};
+    Dice dice(1);
+    for (int i = 0; i < 10000; ++i) {
+        const double slope = dice.between(0.05, 0.95), angle = dice.between(0.0, 6.3);
+        const Vec3 d = glm::normalize(Vec3{std::cos(angle), slope, std::sin(angle)});
+        const double before = dice.between(0.1, 5.0);
+        Crossings found = crossings_of(bowl, {-before * d, d});
+        INFO("line " << i);
+        // The point itself is touched or not.
+        std::size_t first = 0;
+        while (first < found.size() && glm::abs(found[first].t - before) < 1e-13) ++first;
+        REQUIRE(first % 2 == 0);
+        REQUIRE(found.size() == first + 2);
+        const double per_radius = glm::sqrt(1.0 + slope * slope);
+        CHECK(found[first].t - before == Approx(3.0 * (1.0 - slope) * per_radius).margin(1e-12));
+        CHECK(found[first + 1].t - before == Approx(3.0 * per_radius).margin(1e-12));
+    }
+}
+
 TEST_CASE("a lathe without a sensible profile says why", "[geom]") {
     CHECK_THROWS_WITH((Lathe{Spline::linear, {{1, 0}}}), Catch::Contains("at least two points"));
     CHECK_THROWS_WITH((Lathe{Spline::bezier, {{1, 0}, {1, 1}, {2, 2}}}),
