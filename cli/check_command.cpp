@@ -48,6 +48,7 @@ Command make_check_command(CLI::App& app) {
         "check",
         "Find what will go wrong with a scene before it is rendered; exit code 4 if anything");
     const auto options = std::make_shared<CheckOptions>();
+    options->scene.number_triangles = true;
     add_scene_options(*command, options->scene);
     command->add_option("--json", options->json, "Write the findings as JSON; - is standard output")
         ->type_name("FILE|-");

@@ -117,6 +117,7 @@ std::string format_findings_json(const std::vector<Finding>& findings) {
         }
         if (const auto& p = finding.position) entry["position"] = {p->x, p->y, p->z};
         if (finding.depth) entry["depth"] = *finding.depth;
+        if (!finding.triangles.empty()) entry["triangles"] = finding.triangles;
         list.push_back(std::move(entry));
     }
     const Json json{{"version", version},

@@ -34,6 +34,7 @@ lang::Options language_options(const SceneOptions& options) {
     lang::Options result;
     result.image_width = options.width;
     result.image_height = options.height;
+    result.number_triangles = options.number_triangles;
     for (const auto& path : options.library_paths) result.library_paths.emplace_back(path);
     for (const auto& text : options.declarations)
         result.declares.push_back(parse_declaration(text));

@@ -14,6 +14,7 @@ struct SceneOptions {
     int width = 640, height = 480;
     std::vector<std::string> declarations;  // NAME=VALUE
     std::vector<std::string> library_paths;
+    bool number_triangles = false;  // what a mesh remembers, to name them
 
     /// "glass.scene" of "scenes/glass.scene"; "stdin" of "-".
     std::string file_name() const;

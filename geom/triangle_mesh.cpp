@@ -55,6 +55,7 @@ TriangleMesh::TriangleMesh(TriangleSoup soup) {
     WeldedTriangles welded = weld(std::move(soup));
     normals_ = std::move(welded.normals);
     stats_.degenerate = welded.degenerate;
+    stats_.first_degenerate = welded.first_degenerate;
     stats_.duplicate_positions = welded.duplicate_positions;
     build_hierarchy(welded);
     stats_.triangles = welded.triangles.size();
@@ -74,21 +75,24 @@ void TriangleMesh::build_hierarchy(WeldedTriangles& welded) {
         items[i] = BuildItem(box, center_, static_cast<std::uint32_t>(i));
     });
     nodes_ = build_bvh(items, TriangleBlock<double>::width);
-    const auto reorder = [&](std::vector<TriangleIndices>& list) {
+    const auto reorder = [&]<class Item>(std::vector<Item>& list) {
         if (list.empty()) return;
-        std::vector<TriangleIndices> sorted(list.size());
+        std::vector<Item> sorted(list.size());
         for (std::size_t i = 0; i < list.size(); ++i) sorted[i] = list[items[i].index()];
         list = std::move(sorted);
     };
     reorder(welded.triangles);
     reorder(welded.corner_normals);
+    reorder(welded.numbers);
     corner_normals_ = std::move(welded.corner_normals);
+    numbers_ = std::move(welded.numbers);
     blocks_ = TriangleBlocks(welded.positions, welded.triangles);
 }
 
 std::size_t TriangleMesh::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    return blocks_.memory_bytes() + bytes(nodes_) + bytes(normals_) + bytes(corner_normals_);
+    return blocks_.memory_bytes() + bytes(nodes_) + bytes(normals_) + bytes(corner_normals_) +
+           bytes(numbers_);
 }
 
 void TriangleMesh::crossings(const Ray& ray, const Search& search, Crossings& out) const {

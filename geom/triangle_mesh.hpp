@@ -24,7 +24,8 @@ struct TriangleSoup {
     std::vector<TriangleIndices> triangles;
     std::vector<Vec3> normals;  // to shade with; of any length
     std::vector<TriangleIndices>
-        corner_normals;  // empty, or for each triangle three normals or three `no_normal`
+        corner_normals;        // empty, or for each triangle three normals or three `no_normal`
+    bool is_numbered = false;  // whether the mesh is to remember the triangles' places in here
 };
 
 /// An edge that keeps a mesh from being closed.
@@ -33,10 +34,17 @@ struct OpenEdge {
     int uses;  // by how many triangles
 };
 
+/// A triangle of which two corners are one.
+struct DegenerateTriangle {
+    std::size_t number;  // in the soup
+    Vec3 corner;
+};
+
 /// What was found out about a mesh when it was built.
 struct MeshStats {
     std::size_t triangles = 0, vertices = 0;  // that remain
     std::size_t degenerate = 0, duplicate_positions = 0;
+    std::optional<DegenerateTriangle> first_degenerate;
     std::size_t components = 0;              // parts that share no edge
     std::size_t open_edges = 0;              // not used equally often in both directions
     std::vector<OpenEdge> first_open_edges;  // at most 8 of them
@@ -72,6 +80,10 @@ public:
 
     std::size_t size() const { return blocks_.size(); }
     std::array<Vec3, 3> corners(Face face) const { return blocks_.corners(face); }
+    /// The triangle's place in the soup, counted from 0, if that was to be remembered.
+    std::optional<std::uint32_t> number(Face face) const {
+        return numbers_.empty() ? std::nullopt : std::optional(numbers_[std::size_t(face)]);
+    }
 
     /// Every crossing on the ray's whole line, sorted by t.
     void crossings(const Ray& ray, Crossings& out) const;
@@ -102,6 +114,7 @@ private:
     HugeVector<BvhNode> nodes_;
     std::vector<Vec3> normals_;
     std::vector<TriangleIndices> corner_normals_;
+    std::vector<std::uint32_t> numbers_;
     Bounds bounds_;
     Vec3 center_{0.0};
     double magnitude_ = 0.0;

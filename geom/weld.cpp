@@ -92,7 +92,12 @@ WeldedTriangles weld(TriangleSoup soup) {
         for (std::uint32_t& corner : triangle) corner = welded(corner);
         const auto [a, b, c] = triangle;
         // One whose corners differ but lie on a line stays: it may join its neighbours.
-        if (a == b || b == c || c == a) continue;
+        if (a == b || b == c || c == a) {
+            if (!result.first_degenerate)
+                result.first_degenerate = {i, soup.positions[soup.triangles[i][0]]};
+            continue;
+        }
+        if (soup.is_numbered) result.numbers.push_back(static_cast<std::uint32_t>(i));
         soup.triangles[kept] = triangle;
         if (smooth) soup.corner_normals[kept] = soup.corner_normals[i];
         ++kept;

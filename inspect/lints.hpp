@@ -17,8 +17,7 @@ Lint find_bad_meetings;   // lint_meetings.cpp
 Lint find_hidden_solids;  // lint_hidden.cpp
 Lint find_open_meshes;    // lint_meshes.cpp
 Lint find_repaired_meshes;
-Lint find_nested_shells;
-Lint find_self_intersections;
+Lint find_bad_shells;           // lint_shells.cpp
 Lint find_media_without_solid;  // lint_media.cpp
 Lint find_hidden_iors;
 Lint find_camera_in_media;  // lint_space.cpp

@@ -2,107 +2,147 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
-#include <tuple>
+#include <numbers>
 #include <vector>
 
 #include "geom/bvh.hpp"
+#include "inspect/mesh_surface.hpp"
+#include "inspect/triangle_meeting.hpp"
 
 namespace meniscus::inspect {
 namespace {
 
 using geom::Vec3;
-using Corners = std::array<Vec3, 3>;
 
-bool is_corner(const Corners& triangle, const Vec3& p) {
-    return p == triangle[0] || p == triangle[1] || p == triangle[2];
-}
-
-struct Cut {
-    Vec3 position;
-    double depth;
-};
-
-/// Where the edge from p to q goes through the triangle, by more than `margin` on both sides of its
-/// plane and inside all of its edges.
-std::optional<Cut> cut(const Vec3& p, const Vec3& q, const Corners& t, double margin) {
-    Vec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
-    const double area = glm::length(n);
-    if (!(area > 0.0)) return std::nullopt;
-    n /= area;
-    const double before = glm::dot(p - t[0], n), behind = glm::dot(q - t[0], n);
-    const double depth = std::min(std::abs(before), std::abs(behind));
-    if ((before > 0.0) == (behind > 0.0) || depth <= margin) return std::nullopt;
-    const Vec3 at = p + before / (before - behind) * (q - p);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 edge = t[(i + 1) % 3] - t[i];
-        const Vec3 inwards = glm::cross(n, edge);
-        if (glm::dot(at - t[i], inwards) <= margin * glm::length(edge)) return std::nullopt;
-    }
-    return Cut{at, depth};
-}
-
-std::optional<Cut> cut(const Corners& edges_of, const Corners& triangle, double margin) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &p = edges_of[i], &q = edges_of[(i + 1) % 3];
-        if (is_corner(triangle, p) || is_corner(triangle, q)) continue;
-        if (auto found = cut(p, q, triangle, margin)) return found;
-    }
-    return std::nullopt;
-}
-
-struct ByCoordinates {
-    bool operator()(const Vec3& a, const Vec3& b) const {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    }
-};
-
-/// For each triangle the number of its shell: those that share a corner are of one.
-std::vector<std::size_t> shells(const geom::TriangleMesh& mesh) {
-    std::vector<std::size_t> parent(mesh.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
-    std::map<Vec3, std::size_t, ByCoordinates> first;
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-        for (const Vec3& corner : mesh.corners(geom::Face(i))) {
-            const auto [known, is_new] = first.try_emplace(corner, i);
-            if (!is_new) parent[root(i)] = root(known->second);
+class Search {
+public:
+    explicit Search(const geom::TriangleMesh& mesh)
+        : surface_(mesh), margin_(64.0 * geom::unit_roundoff * mesh.magnitude()) {
+        triangles_.reserve(mesh.size());
+        std::vector<geom::Bounds> boxes(mesh.size());
+        for (std::size_t i = 0; i < mesh.size(); ++i) {
+            triangles_.emplace_back(mesh.corners(geom::Face(i)));
+            for (const Vec3& corner : triangles_[i].corners) boxes[i].extend(corner);
+        }
+        const geom::Bvh hierarchy(boxes);
+        for (std::size_t i = 0; i < mesh.size(); ++i) {
+            hierarchy.overlapping(boxes[i], [&](std::uint32_t j) {
+                if (j > i && geom::overlap(boxes[i], boxes[j])) judge(i, j);
+            });
         }
     }
-    for (std::size_t i = 0; i < mesh.size(); ++i) parent[i] = root(i);
-    return parent;
-}
+
+    SelfIntersections found;
+
+private:
+    void judge(std::size_t a, std::size_t b) {
+        const int shared = surface_.shared_corners(a, b);
+        // Neighbours meet in their edge, unless one is folded back onto the other.
+        if (shared == 2 && apex_height(b, a) != 0.0) return;
+        const auto meeting = meet(triangles_[a], triangles_[b], margin_);
+        if (const auto* segment = std::get_if<SharedSegment>(&meeting)) {
+            if (const auto depth = depth_of_cut(a, b, *segment))
+                note_cut(a, b, 0.5 * (segment->from + segment->to), *depth);
+        } else if (const auto* area = std::get_if<SharedArea>(&meeting)) {
+            if (surface_.shell(a) != surface_.shell(b)) return;  // they touch
+            note(area->same_facing ? found.overlaps : found.folds, a, b, area->center, area->width);
+        }
+    }
+
+    double height(std::size_t over, const Vec3& p) const {
+        return triangles_[over].height(p, margin_);
+    }
+
+    /// Of the corner that is not on the edge between the two, over the other's plane.
+    double apex_height(std::size_t of, std::size_t over) const {
+        return height(over, triangles_[of].corners[std::size_t(surface_.apex(of, over))]);
+    }
+
+    /// How deep the surfaces cut through each other along a segment that triangles of both share;
+    /// nothing where they touch.
+    std::optional<double> depth_of_cut(std::size_t a, std::size_t b,
+                                       const SharedSegment& segment) const {
+        if (segment.first_edge < 0 && segment.second_edge < 0)
+            return segment.depth > 0.0 ? std::optional(segment.depth) : std::nullopt;
+        if (segment.first_edge < 0) return depth_at_edge(b, segment.second_edge, a);
+        if (segment.second_edge < 0) return depth_at_edge(a, segment.first_edge, b);
+        return depth_between_edges(a, b, segment);
+    }
+
+    /// Along an edge of `a` within `b`: through if the neighbour there is on the other side.
+    std::optional<double> depth_at_edge(std::size_t a, int edge, std::size_t b) const {
+        const std::uint32_t other = surface_.neighbour(a, edge);
+        if (other == MeshSurface::none) return std::nullopt;
+        const double here = height(b, corner_off_edge(a, edge));
+        const double there =
+            height(b, triangles_[other].corners[std::size_t(surface_.apex(other, a))]);
+        if (here * there >= 0.0) return std::nullopt;
+        return std::min(std::abs(here), std::abs(there));
+    }
+
+    /// Along an edge of both, which are not the same: through if, seen along it, the one surface's
+    /// two triangles are on both sides of the other's.
+    std::optional<double> depth_between_edges(std::size_t a, std::size_t b,
+                                              const SharedSegment& segment) const {
+        const std::uint32_t beside_a = surface_.neighbour(a, segment.first_edge);
+        const std::uint32_t beside_b = surface_.neighbour(b, segment.second_edge);
+        if (beside_a == MeshSurface::none || beside_b == MeshSurface::none) return std::nullopt;
+        if (beside_a == b) return std::nullopt;
+        const Vec3 axis = glm::normalize(segment.to - segment.from);
+        const auto across = [&](const Vec3& p) {
+            const Vec3 e = p - segment.from;
+            return e - glm::dot(e, axis) * axis;
+        };
+        const Vec3 start = across(corner_off_edge(a, segment.first_edge));
+        const Vec3 x = glm::normalize(start), y = glm::cross(axis, x);
+        double reach = glm::length(start);
+        const auto angle = [&](const Vec3& p) {
+            const Vec3 e = across(p);
+            reach = std::min(reach, glm::length(e));
+            const double turn = std::atan2(glm::dot(e, y), glm::dot(e, x));
+            return turn < 0.0 ? turn + 2.0 * std::numbers::pi : turn;
+        };
+        const auto apex = [&](std::uint32_t of, std::size_t beside) {
+            return triangles_[of].corners[std::size_t(surface_.apex(of, beside))];
+        };
+        const double end = angle(apex(beside_a, a));
+        const double one = angle(corner_off_edge(b, segment.second_edge));
+        const double two = angle(apex(beside_b, b));
+        // Triangles on each other are found as such.
+        constexpr double least = 1e-9;
+        for (const double turn : {one, two}) {
+            if (std::abs(turn - end) < least || turn < least ||
+                turn > 2.0 * std::numbers::pi - least)
+                return std::nullopt;
+        }
+        if ((one < end) == (two < end)) return std::nullopt;
+        return reach;
+    }
+
+    Vec3 corner_off_edge(std::size_t triangle, int edge) const {
+        return triangles_[triangle].corners[std::size_t(edge + 2) % 3];
+    }
+
+    void note_cut(std::size_t a, std::size_t b, const Vec3& p, double depth) {
+        const std::uint32_t shell_a = surface_.shell(a), shell_b = surface_.shell(b);
+        if (shell_a == shell_b) return note(found.cuts, a, b, p, depth);
+        const bool solids = !surface_.is_cavity(shell_a) && !surface_.is_cavity(shell_b);
+        note(solids ? found.unions : found.pierced, a, b, p, depth);
+    }
+
+    void note(std::optional<TrianglePairs>& pairs, std::size_t a, std::size_t b, const Vec3& p,
+              double depth) {
+        if (!pairs) pairs = TrianglePairs{0, geom::Face(a), geom::Face(b), p, depth};
+        ++pairs->count;
+    }
+
+    MeshSurface surface_;
+    std::vector<FlatTriangle> triangles_;
+    double margin_;
+};
 
 }  // namespace
 
-std::optional<SelfIntersection> find_self_intersection(const geom::TriangleMesh& mesh) {
-    const double margin = 64.0 * geom::unit_roundoff * mesh.magnitude();
-    std::vector<geom::Bounds> boxes(mesh.size());
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-        for (const Vec3& corner : mesh.corners(geom::Face(i))) boxes[i].extend(corner);
-    }
-    const geom::Bvh hierarchy(boxes);
-    std::vector<std::size_t> shell_of;  // made when first needed
-    std::optional<SelfIntersection> found;
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-        const Corners a = mesh.corners(geom::Face(i));
-        hierarchy.overlapping(boxes[i], [&](std::uint32_t j) {
-            if (j <= i || !geom::overlap(boxes[i], boxes[j])) return;
-            const Corners b = mesh.corners(geom::Face(j));
-            auto meets = cut(a, b, margin);
-            if (!meets) meets = cut(b, a, margin);
-            if (!meets) return;
-            if (shell_of.empty()) shell_of = shells(mesh);
-            if (shell_of[i] != shell_of[j]) return;
-            if (!found) found = SelfIntersection{0, meets->position, a, b, meets->depth};
-            ++found->pairs;
-        });
-    }
-    return found;
-}
+SelfIntersections self_intersections(const geom::TriangleMesh& mesh) { return Search(mesh).found; }
 
 }  // namespace meniscus::inspect

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -8,17 +7,29 @@
 
 namespace meniscus::inspect {
 
-/// Triangles of one shell that cut through each other.
-struct SelfIntersection {
-    std::size_t pairs = 0;                          // how many pairs of triangles do
-    geom::Vec3 position{0.0};                       // a point of both of the first pair
-    std::array<geom::Vec3, 3> triangle{}, other{};  // the first pair
-    double depth = 0.0;                             // how far a corner reaches through, there
+/// Triangles of one mesh that meet, in one of the ways below.
+struct TrianglePairs {
+    std::size_t count = 0;
+    geom::Face first = geom::no_face, second = geom::no_face;  // the first pair
+    geom::Vec3 position{0.0};                                  // a point of both
+    double depth = 0.0;  // how far they reach through each other there; of an overlap in one plane
+                         // its width
 };
 
-/// All pairs are tested, by a hierarchy over their boxes; only what goes through by more than
-/// rounding counts, so that touching and sharing corners or edges is no cut. Shells that cut each
-/// other, as in a union, are no fault, and not looked for.
-std::optional<SelfIntersection> find_self_intersection(const geom::TriangleMesh& mesh);
+/// What the triangles of a mesh do to each other, but for neighbours that meet where they should.
+/// Shells are told apart by the edges that their triangles share.
+struct SelfIntersections {
+    std::optional<TrianglePairs> cuts;      // of one shell: through each other
+    std::optional<TrianglePairs> overlaps;  // of one shell: on each other, facing the same way
+    std::optional<TrianglePairs> folds;     // of one shell: on each other, back to back
+    std::optional<TrianglePairs> unions;    // of two shells that both are solid
+    std::optional<TrianglePairs> pierced;   // of a solid shell and a cavity, or of two cavities
+};
+
+/// All pairs are tested, by a hierarchy over their boxes. A surface passes through a triangle also
+/// where it does so along an edge of its own or of the triangle, or from corner to corner: what
+/// counts is that it goes on on the other side, by more than rounding. A surface that only touches
+/// is no cut.
+SelfIntersections self_intersections(const geom::TriangleMesh& mesh);
 
 }  // namespace meniscus::inspect

@@ -26,7 +26,8 @@ struct Options {
     std::vector<std::filesystem::path> library_paths;
     std::vector<std::pair<std::string, std::string>> declares;  // a number, else a text
     int image_width = 640, image_height = 480;
-    bool allow_files = true;  // includes and meshes; not for untrusted text
+    bool allow_files = true;        // includes and meshes; not for untrusted text
+    bool number_triangles = false;  // meshes remember their triangles' order, for findings
     Limits limits;
 };
 

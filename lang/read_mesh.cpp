@@ -14,7 +14,8 @@ using geom::TriangleIndices;
 using geom::TriangleSoup;
 using geom::Vec3;
 
-geom::Mesh build(TriangleSoup soup, const Span& span) {
+geom::Mesh build(const Session& session, TriangleSoup soup, const Span& span) {
+    soup.is_numbered = session.options.number_triangles;
     if (soup.triangles.empty())
         throw SourceError(span,
                           "this mesh has no triangles; they follow as triangle { ... }, or stand "
@@ -142,14 +143,15 @@ std::variant<geom::Shape, MeshFile> read_mesh(Cursor& cursor, const Span& span) 
         throw SourceError(
             span, "a mesh takes its triangles from a file or from the scene, not from both");
     if (from_file) return *from_file;
-    return geom::Shape{build(std::move(soup), span)};
+    return geom::Shape{build(cursor.session(), std::move(soup), span)};
 }
 
 geom::Mesh load_mesh_file(Session& session, const MeshFile& file) {
     if (const auto known = session.meshes.find(file.path); known != session.meshes.end())
         return known->second;
     try {
-        return session.meshes.emplace(file.path, geom::Mesh{load_mesh(file.path)}).first->second;
+        const geom::Mesh mesh{load_mesh(file.path, session.options.number_triangles)};
+        return session.meshes.emplace(file.path, mesh).first->second;
     } catch (const std::exception& error) {
         throw SourceError(
             file.span, fmt::format("cannot use the mesh file '{}': {}", file.name, error.what()));
@@ -197,7 +199,7 @@ geom::Mesh read_mesh2(Cursor& cursor, const Span& span) {
         throw SourceError(span, fmt::format("this mesh has {} faces but {} normal_indices",
                                             soup.triangles.size(), soup.corner_normals.size()));
     }
-    return build(std::move(soup), span);
+    return build(cursor.session(), std::move(soup), span);
 }
 
 }  // namespace meniscus::lang

@@ -28,6 +28,7 @@ geom::Mesh mesh(geom::TriangleSoup soup) {
 }
 
 std::vector<Finding> check_mesh(geom::TriangleSoup soup) {
+    soup.is_numbered = true;
     scene::Scene scene;
     scene.camera.location = {0.0, 0.0, -9.0};
     add_medium(scene, "Cube", mesh(std::move(soup)), 1.5, 1.0);
@@ -75,6 +76,14 @@ TEST_CASE("a mesh that cuts through itself is found, with the place", "[inspect]
     CHECK(found->position->x == Approx(-1.0));  // the side that is pierced
     CHECK(*found->depth > 0.0);
     CHECK(*found->depth <= 1.0);
+    // It names the two triangles, by their place in the soup and by their corners.
+    REQUIRE(found->triangles.size() == 2);
+    for (const std::uint32_t number : found->triangles) {
+        const std::string name = "triangle " + std::to_string(number);
+        CHECK(found->text.find(name + " <") != std::string::npos);
+        for (const std::uint32_t corner : soup.triangles[number])
+            CHECK(found->text.find(inspect::text(soup.positions[corner])) != std::string::npos);
+    }
     CHECK(inspect::has_warnings(findings));
 }
 
@@ -84,6 +93,23 @@ TEST_CASE("a mesh that is folded, but not through itself, is fine", "[inspect]")
     CHECK(check_mesh(soup).empty());
 }
 
+TEST_CASE("two shells that overlap are a union: a note, with the place", "[inspect]") {
+    auto soup = cube();
+    const auto other = cube();
+    for (const auto& [i, j, k] : other.triangles) soup.triangles.push_back({i + 8, j + 8, k + 8});
+    for (const auto& p : other.positions) soup.positions.push_back(p + Vec3{1.5, 1.5, 1.5});
+    const auto findings = check_mesh(soup);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "nested-shells");
+    CHECK_FALSE(inspect::has_warnings(findings));
+    REQUIRE(findings[0].position);
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK((*findings[0].position)[axis] >= 0.5);
+        CHECK((*findings[0].position)[axis] <= 1.0);
+    }
+    CHECK(findings[0].triangles.size() == 2);
+}
+
 TEST_CASE("triangles without area are noted", "[inspect]") {
     auto soup = cube();
     soup.triangles.push_back({0, 1, 1});
@@ -91,6 +117,9 @@ TEST_CASE("triangles without area are noted", "[inspect]") {
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].lint == "degenerate-triangles");
     CHECK_FALSE(inspect::has_warnings(findings));
+    CHECK(findings[0].triangles == std::vector<std::uint32_t>{12});
+    REQUIRE(findings[0].position);
+    CHECK(*findings[0].position == Vec3{-1, -1, -1});
 }
 
 TEST_CASE("a shell within a shell is noted where it is no cavity", "[inspect]") {
@@ -106,5 +135,6 @@ TEST_CASE("a shell within a shell is noted where it is no cavity", "[inspect]") 
     const auto findings = with_inner(false);
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].lint == "nested-shells");
+    CHECK_FALSE(inspect::has_warnings(findings));
     CHECK(with_inner(true).empty());
 }
