@@ -27,7 +27,7 @@ double Offers::start_magnitude(const TracedRay& ray, const Part& part) const {
                             geom::max_abs(ray.ray.from(anchor.point))) +
                    anchor.size;
     }
-    return std::max(ray.birth.magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
+    return rounded_magnitude(ray, part);
 }
 
 int Offers::anchor_of(const Offer& offer) const {
@@ -47,6 +47,11 @@ double Offers::magnitude(const TracedRay& ray, const Offer& a, const Offer& b) c
     if (anchor != no_anchor && anchor == anchor_of(b))
         return magnitude_from(anchor, ray, std::max(a.t, b.t));
     return std::max(magnitude(ray, a.part, a.t), magnitude(ray, b.part, b.t));
+}
+
+/// The same where only the rounded origin is seen, as `contains` does.
+double Offers::rounded_magnitude(const TracedRay& ray, const Part& part) const {
+    return std::max(ray.birth.magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
 }
 
 /// Whether the crossing is within `tolerance` of the origin, along the normal.
@@ -81,7 +86,7 @@ bool Offers::is_rounding(const TracedRay& ray, const Part& part, double distance
 /// Whether the ray starts within rounding of the part's surface: points around its origin are both
 /// as deep inside the shape as the one and as the other.
 bool Offers::is_at_surface(const TracedRay& ray, const Part& part, int depth, int other) const {
-    const double rounding = 2.0 * tolerance(scene_, start_magnitude(ray, part));
+    const double rounding = 2.0 * tolerance(scene_, rounded_magnitude(ray, part));
     bool has_depth = false, has_other = false;
     for (int i = 0; i < 27; ++i) {
         const geom::Vec3 step{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
@@ -96,7 +101,7 @@ bool Offers::is_at_surface(const TracedRay& ray, const Part& part, int depth, in
 /// origin is inside. The steps are short ones too, for solids that are hardly thicker than the
 /// tolerance.
 bool Offers::is_far_outside(const TracedRay& ray, const Part& part) const {
-    const double rounding = tolerance(scene_, start_magnitude(ray, part));
+    const double rounding = tolerance(scene_, rounded_magnitude(ray, part));
     for (const double widening : {0.5, 1.0, 2.0}) {
         for (int i = 0; i < 27; ++i) {
             const geom::Vec3 step{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};

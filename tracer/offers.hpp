@@ -72,6 +72,7 @@ private:
                      double tolerance) const;
     double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
     double start_magnitude(const TracedRay& ray, const Part& part) const;
+    double rounded_magnitude(const TracedRay& ray, const Part& part) const;
     bool is_rounding(const TracedRay& ray, const Part& part, double distance) const;
     bool is_far_outside(const TracedRay& ray, const Part& part) const;
     bool holds_origin(const TracedRay& ray, const Part& part, const geom::Interval& interval) const;

@@ -141,7 +141,7 @@ TEST_CASE("a list is right within rounding of a surface, and in solids that are 
             for (const geom::Vec3& d : {geom::Vec3{1, 0, 0}, geom::Vec3{0.6, 0, 0.8}}) {
                 tracer::TracedRay ray;
                 ray.ray = {{0.1, offset + hair, 0.2}, d};
-                ray.birth_magnitude = offset + 1.0;
+                ray.birth.magnitude = offset + 1.0;
                 ray.interior.enter(odd);
                 finder.next(ray);
             }
