@@ -86,6 +86,15 @@ std::vector<Finding> from_unused(const std::vector<lang::UnusedObject>& objects)
     return findings;
 }
 
+std::vector<Diagnostic> as_warnings(const std::vector<Finding>& findings, const std::string& file) {
+    std::vector<Diagnostic> warnings;
+    for (const auto& finding : findings) {
+        warnings.push_back(diagnostic(severity(finding), finding.location, finding.text));
+        if (warnings.back().location.file.empty()) warnings.back().location.file = file;
+    }
+    return warnings;
+}
+
 std::string format_findings(const std::vector<Finding>& findings) {
     std::string text;
     for (const auto& finding : findings) {

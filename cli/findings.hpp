@@ -14,6 +14,11 @@ std::vector<inspect::Finding> from_warnings(const std::vector<lang::Diagnostic>&
 
 std::vector<inspect::Finding> from_unused(const std::vector<lang::UnusedObject>& objects);
 
+/// The findings as the reader of the scene would have warned of them; `file` is where those without
+/// a place belong.
+std::vector<lang::Diagnostic> as_warnings(const std::vector<inspect::Finding>& findings,
+                                          const std::string& file);
+
 /// As `file:line:column: warning: text`, the source line, and what to do about it; last a line that
 /// counts them.
 std::string format_findings(const std::vector<inspect::Finding>& findings);

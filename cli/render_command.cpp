@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/diagnostics.hpp"
+#include "cli/findings.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/model_options.hpp"
 #include "cli/picture_options.hpp"
@@ -15,6 +16,7 @@
 #include "cli/tracer_options.hpp"
 #include "cli/validators.hpp"
 #include "cli/version.hpp"
+#include "inspect/check.hpp"
 #include "povray/film.hpp"
 #include "tracer/render.hpp"
 
@@ -89,6 +91,11 @@ ExitCode run(RenderOptions options) {
         target.save.png.encoding = image::Encoding::raw;
     const auto render_scene =
         tracer::compile(in_model(std::move(interpreted.scene), options.model, options.quiet));
+    const auto open_meshes = inspect::check_open_meshes(render_scene);
+    for (const auto& warning : as_warnings(open_meshes, options.scene.file_name())) {
+        print_diagnostic(lang::format(warning));
+        interpreted.warnings.push_back(warning);
+    }
     const auto build = stopwatch.lap();
 
     Progress progress;

@@ -67,4 +67,10 @@ std::vector<Finding> check(const tracer::RenderScene& scene) {
     return findings;
 }
 
+std::vector<Finding> check_open_meshes(const tracer::RenderScene& scene) {
+    std::vector<Finding> findings;
+    find_open_meshes(scene, Names(scene.source), findings);
+    return merged(std::move(findings));
+}
+
 }  // namespace meniscus::inspect

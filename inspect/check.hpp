@@ -12,4 +12,8 @@ namespace meniscus::inspect {
 /// others.
 std::vector<Finding> check(const tracer::RenderScene& scene);
 
+/// Of these the meshes with holes that were meant as solids, which takes no time to find: said
+/// whenever a scene is rendered.
+std::vector<Finding> check_open_meshes(const tracer::RenderScene& scene);
+
 }  // namespace meniscus::inspect
