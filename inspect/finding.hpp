@@ -27,7 +27,7 @@ struct Finding {
     std::vector<Related> related;                       // other places that belong to it
     std::optional<geom::Vec3> position = std::nullopt;  // in the scene, if it is in one place
     std::optional<double> depth =
-        std::nullopt;                      // of an overlap, or the width of a gap: scene units
+        std::nullopt;                           // of an overlap, or the width of a gap: scene units
     std::vector<std::uint32_t> triangles = {};  // of a mesh, which it is about: counted from 0
 };
 
