@@ -7,9 +7,9 @@
 #include <initializer_list>
 
 #include "tests/oracle/compare.hpp"
-#include "tests/oracle/random.hpp"
 #include "tests/oracle/random_shape.hpp"
 #include "tests/oracle/scene_builder.hpp"
+#include "tests/random/random.hpp"
 
 namespace meniscus::oracle {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "tests/oracle/aimed_rays.hpp"
-#include "tests/oracle/random.hpp"
+#include "tests/random/random.hpp"
 
 using namespace meniscus;
 
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     for (const double beside : distances) fmt::print(" {:.0e} |", beside);
     fmt::print("\n");
     std::uint64_t segments = 0, leaks = 0;
-    oracle::Random random(first);
+    Random random(first);
     oracle::AimedScene straight(geom::Vec3{0.0}), turned(random.point(-180.0, 180.0));
     for (int kind = 0; kind < oracle::aims; ++kind) {
         const auto aim = oracle::Aim(kind);

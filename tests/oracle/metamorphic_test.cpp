@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "tests/oracle/compare.hpp"
-#include "tests/oracle/random.hpp"
 #include "tests/oracle/random_scene.hpp"
 #include "tests/oracle/scene_builder.hpp"
+#include "tests/random/random.hpp"
 #include "tracer/fresnel.hpp"
 #include "tracer/next_event.hpp"
 

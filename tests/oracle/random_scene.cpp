@@ -10,12 +10,6 @@
 namespace meniscus::oracle {
 namespace {
 
-geom::Vec3 axis_of(int axis, double length) {
-    geom::Vec3 result{0.0};
-    result[axis] = length;
-    return result;
-}
-
 scene::Texture random_skin(Random& random) {
     scene::Texture texture;
     scene::Color color{random.point(0.3, 1.0)};
@@ -38,7 +32,7 @@ scene::Texture random_skin(Random& random) {
 /// A half-space holds everything: its complement or an unlucky one would fill the view, so few are
 /// drawn.
 geom::Shape random_half_space(Random& random) {
-    return geom::Plane{axis_of(random.below(3), random.chance(0.5) ? 1.0 : -1.0),
+    return geom::Plane{Random::along(random.below(3), random.chance(0.5) ? 1.0 : -1.0),
                        random.lattice(-1.5, 0.5)};
 }
 

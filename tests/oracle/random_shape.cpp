@@ -9,12 +9,6 @@
 namespace meniscus::oracle {
 namespace {
 
-geom::Vec3 axis_of(int axis, double length) {
-    geom::Vec3 result{0.0};
-    result[axis] = length;
-    return result;
-}
-
 /// A tumbler, a turned stack, a ring, or a bowl of splines.
 geom::Lathe random_lathe(Random& random) {
     const double h = random.lattice(0.5, 1.5), r = random.lattice(1.0, 1.5);
@@ -87,8 +81,8 @@ geom::Mesh box_mesh(const geom::Vec3& low, const geom::Vec3& high) {
 geom::Mesh octahedron(const geom::Vec3& half) {
     std::vector<geom::Vec3> corners;
     for (int axis = 0; axis < 3; ++axis) {
-        corners.push_back(axis_of(axis, half[axis]));
-        corners.push_back(axis_of(axis, -half[axis]));
+        corners.push_back(Random::along(axis, half[axis]));
+        corners.push_back(Random::along(axis, -half[axis]));
     }
     std::vector<geom::TriangleIndices> triangles;
     for (std::uint32_t i = 0; i < 8; ++i) {
@@ -146,13 +140,13 @@ RandomShape random_shape(Random& random, const RandomSceneOptions& options,
             }
             case 6:
             case 7: {
-                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
+                const geom::Vec3 half = Random::along(random.below(3), random.lattice(0.5, 1.5));
                 return {
                     geom::Cylinder{center - half, center + half, random.lattice(0.5, 1.5), false}};
             }
             case 8: {
                 if (!options.cones) break;
-                const geom::Vec3 half = axis_of(random.below(3), random.lattice(0.5, 1.5));
+                const geom::Vec3 half = Random::along(random.below(3), random.lattice(0.5, 1.5));
                 const double base = random.lattice(0.5, 1.5), cap = random.lattice(0.0, 1.0);
                 if (base == cap) break;
                 return {geom::Cone{center - half, base, center + half, cap, false}};

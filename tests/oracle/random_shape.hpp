@@ -1,8 +1,8 @@
 #pragma once
 
 #include "geom/shape.hpp"
-#include "tests/oracle/random.hpp"
 #include "tests/oracle/random_scene.hpp"
+#include "tests/random/random.hpp"
 
 namespace meniscus::oracle {
 

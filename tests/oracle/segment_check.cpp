@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "tests/oracle/random.hpp"
 #include "tests/oracle/world.hpp"
+#include "tests/random/random.hpp"
 #include "tracer/fresnel.hpp"
 #include "tracer/next_event.hpp"
 

@@ -5,31 +5,26 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "tests/random/random.hpp"
+
 namespace meniscus::test {
 namespace {
 
-/// splitmix64 (Steele, Lea and Flood 2014), and words made from it.
+/// Words made from random numbers.
 class Writer {
 public:
-    explicit Writer(std::uint64_t seed) : state_(seed) { state_ = next(); }
+    explicit Writer(std::uint64_t seed) : random_(seed) {}
 
     std::string scene() {
         return "#version 3.7;\n" + settings() + camera() + surroundings() + lights() + objects();
     }
 
 private:
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    int below(int n) { return int(next() % std::uint64_t(n)); }
+    int below(int n) { return random_.below(n); }
     bool chance(double p) { return number(0.0, 1.0) < p; }
     /// Four digits: both readers see the same number.
     double number(double low, double high) {
-        const double value = low + (high - low) * (double(next() >> 11) * 0x1p-53);
-        return std::round(value * 1e4) / 1e4;
+        return std::round(random_.between(low, high) * 1e4) / 1e4;
     }
     std::string pick(std::initializer_list<const char*> words) {
         return *(words.begin() + below(int(words.size())));
@@ -316,7 +311,7 @@ private:
         return text;
     }
 
-    std::uint64_t state_;
+    Random random_;
     bool transparent_ = true;  // whether colours may be
 };
 

@@ -5,9 +5,10 @@
 
 #include "geom/vec.hpp"
 
-namespace meniscus::oracle {
+namespace meniscus {
 
-/// splitmix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
+/// For scenes that chance makes: splitmix64 (Steele, Lea and Flood 2014): the same numbers on every
+/// machine.
 class Random {
 public:
     /// One step takes neighbouring seeds, whose sequences would overlap, far apart.
@@ -36,6 +37,12 @@ public:
         const double x = between(low, high), y = between(low, high), z = between(low, high);
         return {x, y, z};
     }
+    /// Of that length along one of the axes.
+    static geom::Vec3 along(int axis, double length) {
+        geom::Vec3 result{0.0};
+        result[axis] = length;
+        return result;
+    }
     /// Uniform over the unit sphere.
     geom::Vec3 direction() {
         const double z = between(-1.0, 1.0), angle = between(-std::acos(-1.0), std::acos(-1.0));
@@ -47,4 +54,4 @@ private:
     std::uint64_t state_;
 };
 
-}  // namespace meniscus::oracle
+}  // namespace meniscus
