@@ -33,8 +33,7 @@ Everything below is made by one command, which goes on where it was stopped:
 def head(store, quick, command):
     first = json.loads(store.run([render.MENISCUS, "bench", "benchmarks/scenes/opaque.scene", "-W", "8", "-H", "6", "--quick", "--no-povray",
                                   "--spp", "2", "--aa", "0.1", "--json", "-"]))
-    note = ("These are the figures of the quick mode: small pictures, one run of most settings, made while the machine was busy with other work. They show the shape of things,\n"
-            "not the last digit.\n\n" if quick else "")
+    note = ("These are the figures of the quick mode: small pictures, one run of most settings. They show the shape of things, not the last digit.\n\n" if quick else "")
     return HEAD + markdown.code(command) + f"\nMachine: {first['benchmarks'][0]['machine']}.\n\n" + note
 
 
