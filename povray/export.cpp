@@ -51,8 +51,9 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
                 number(result.scale));
     writer.blank();
     write_surroundings(writer, source);
-    write_bodies(writer, scene, options.model,
-                 options.model == Model::gap ? options.gap : result.overlap);
+    const double hair = options.model == Model::gap ? options.gap : result.overlap;
+    for (std::string& warning : write_bodies(writer, scene, options.model, hair))
+        result.warnings.push_back(std::move(warning));
     result.text = writer.text();
     return result;
 }

@@ -27,7 +27,7 @@ struct Exported {
     std::string text;
     double scale = 1.0;
     double overlap = 0.0;               // contact: the least, in scene units
-    std::vector<std::string> warnings;  // where the scale does not fit the scene
+    std::vector<std::string> warnings;  // where the picture may not be exact
 };
 
 /// A scene in POV-Ray's own language. Throws ExportError for what the model cannot say.

@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "inspect/sample_lines.hpp"
 
 namespace meniscus::povray {
 
-std::vector<geom::Vec3> flush_normals(const tracer::RenderScene& scene, const tracer::Part& a,
-                                      const tracer::Part& b) {
+Flush flush_faces(const tracer::RenderScene& scene, const tracer::Part& a, const tracer::Part& b) {
     using geom::Vec3;
     const double margin = 1e-9 * scene.size;
-    std::vector<Vec3> normals;
+    constexpr double alike = 1e-6;
+    std::map<geom::Face, std::vector<Vec3>> normals;
     const auto note = [&](const geom::Ray& line, double t, geom::Face face) {
         if (!std::isfinite(t) || face == geom::no_face) return;
         const Vec3 n = (a.inverse ? -1.0 : 1.0) * a.shape.normal(face, line.at(t));
-        const auto is_same = [&](const Vec3& other) { return glm::length(other - n) < 1e-6; };
-        if (std::ranges::none_of(normals, is_same)) normals.push_back(n);
+        normals[face].push_back(n);
     };
+    Flush result;
     const auto box = inspect::common_region(scene, a, b, 1e-3);
-    if (box.is_empty()) return normals;
+    if (box.is_empty()) return result;
     for (const auto& line : inspect::sample_lines(box, 64)) {
         const auto in_b = inspect::inside(b, line);
         for (const auto& i : inspect::inside(a, line)) {
@@ -29,9 +30,22 @@ std::vector<geom::Vec3> flush_normals(const tracer::RenderScene& scene, const tr
             }
         }
     }
+    for (const auto& [face, found] : normals) {
+        const auto is_near = [&](const Vec3& n) {
+            return [&](const Vec3& other) { return glm::length(other - n) < alike; };
+        };
+        if (!std::ranges::all_of(found, is_near(found.front()))) {
+            result.curved.push_back(face);
+        } else if (std::ranges::none_of(result.flat, is_near(found.front()))) {
+            result.flat.push_back(found.front());
+        }
+    }
     constexpr std::size_t most_flat_faces = 6;
-    if (normals.size() > most_flat_faces) normals.clear();  // a curved face
-    return normals;
+    if (result.flat.size() > most_flat_faces) {  // a curved face of a mesh
+        result.flat.clear();
+        result.curved.push_back(normals.begin()->first);
+    }
+    return result;
 }
 
 }  // namespace meniscus::povray

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "inspect/containment.hpp"
 #include "inspect/meeting.hpp"
 #include "inspect/sample_lines.hpp"
 #include "povray/apart.hpp"
@@ -81,6 +82,31 @@ bool is_touching(const RenderScene& scene, const Part& a, const Part& b, double 
     return false;
 }
 
+/// Solids that are nowhere to be seen: each part lies in a part of a higher solid.
+std::set<int> hidden_solids(const RenderScene& scene) {
+    std::vector<bool> is_hidden(scene.parts.size(), false);
+    const auto look = [&](int inner, int outer) {
+        const Part& a = scene.parts[std::size_t(inner)];
+        const Part& b = scene.parts[std::size_t(outer)];
+        if (is_hidden[std::size_t(inner)] || !(a.priority < b.priority)) return;
+        const auto how = inspect::contained(a, b);
+        // What lines find is enough for two of one kind.
+        is_hidden[std::size_t(inner)] = how == inspect::Containment::certain ||
+                                        (how == inspect::Containment::sampled &&
+                                         a.shape.shape().index() == b.shape.shape().index());
+    };
+    for (const auto& [a, b] : inspect::neighbours(scene, 1e-6)) {
+        look(a, b);
+        look(b, a);
+    }
+    std::set<int> result;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        if (is_hidden[i]) result.insert(scene.parts[i].solid);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        if (!is_hidden[i]) result.erase(scene.parts[i].solid);
+    return result;
+}
+
 }  // namespace
 
 Plan make_plain_plan(const RenderScene& scene) {
@@ -111,6 +137,8 @@ Plan make_plain_plan(const RenderScene& scene) {
 Plan make_plan(const RenderScene& scene) {
     Plan plan = make_plain_plan(scene);
     auto& bodies = plan.bodies;
+    const std::set<int> hidden = hidden_solids(scene);
+    std::erase_if(bodies, [&](const Body& body) { return hidden.contains(body.solid); });
     std::map<int, int> body_of;
     for (std::size_t i = 0; i < bodies.size(); ++i) body_of[bodies[i].solid] = int(i);
 
@@ -119,6 +147,7 @@ Plan make_plan(const RenderScene& scene) {
     for (const auto& [a, b] : inspect::neighbours(scene, 1e-6)) {
         const Part& first = scene.parts[std::size_t(a)];
         const Part& second = scene.parts[std::size_t(b)];
+        if (hidden.contains(first.solid) || hidden.contains(second.solid)) continue;
         if (are_apart(first, second, margin)) continue;
         const int i = body_of.at(first.solid), j = body_of.at(second.solid);
         if (above.contains({i, j}) || above.contains({j, i})) continue;

@@ -1,5 +1,7 @@
 #include "povray/region.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "povray/flush.hpp"
@@ -11,22 +13,53 @@ namespace {
 /// Bodies grow by nothing or by 1, 1.2, 1.4 ... hairs and are cut at depths of 1.1, 1.3, 1.5 ...:
 /// so no two of the faces that meet in one place come nearer to each other than a tenth of a hair.
 constexpr double rank_step = 0.2;
-constexpr double first_growth = 1.0, first_depth = 1.1;
+constexpr double first_growth = 1.0, first_depth = 1.1, copy_step = 0.1;
 
 const scene::Object& object_of(const tracer::RenderScene& scene, int part) {
     return scene.source.objects[std::size_t(scene.parts[std::size_t(part)].object)];
 }
 
-/// A cutter that ends flush with the body also cuts what lies behind that face.
-void extend(const tracer::RenderScene& scene, const Body& body, int part, const Cutter& cutter,
-            double hair, std::vector<Cutter>& result) {
+/// A cylinder or cone whose side reaches out by `reach` while its ends stay as they are.
+bool widen(scene::Object& object, double reach) {
+    const scene::Object wide = grown(object, reach);
+    if (auto* shape = std::get_if<geom::Cylinder>(&object.shape)) {
+        shape->radius = std::get<geom::Cylinder>(wide.shape).radius;
+        return true;
+    }
+    if (auto* shape = std::get_if<geom::Cone>(&object.shape)) {
+        shape->base_radius = std::get<geom::Cone>(wide.shape).base_radius;
+        shape->cap_radius = std::get<geom::Cone>(wide.shape).cap_radius;
+        return true;
+    }
+    return false;
+}
+
+/// A cutter that ends flush with the body also cuts what lies behind that face: copies of it, a
+/// little smaller so that no two have a face in common, reach beyond.
+void extend(const tracer::RenderScene& scene, const Body& body, int part, double distance,
+            double hair, std::vector<Cutter>& result, std::vector<std::string>* warnings) {
+    const auto& theirs = object_of(scene, part);
     const double reach = hair * (4.0 + 2.0 * body.rank);
     for (const int mine : body.parts) {
-        for (const auto& normal :
-             flush_normals(scene, scene.parts[std::size_t(part)], scene.parts[std::size_t(mine)])) {
-            result.push_back(cutter);
+        const auto& own = scene.parts[std::size_t(mine)];
+        const Flush flush = flush_faces(scene, scene.parts[std::size_t(part)], own);
+        if (flush.flat.empty() && flush.curved.empty()) continue;
+        const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture};
+        for (const auto& normal : flush.flat) {
+            result.push_back(smaller);
             auto& moved = result.back().object;
             moved.transform = moved.transform.then(geom::Transform::translation(reach * normal));
+        }
+        if (flush.curved.empty()) continue;
+        Cutter wide = smaller;
+        if (widen(wide.object, reach)) {
+            result.push_back(wide);
+        } else if (warnings) {
+            const auto& object = object_of(scene, mine);
+            warnings->push_back(fmt::format(
+                "{}:{}: '{}' and the higher '{}' have a curved outer wall in common, where a skin "
+                "of the former stays in the export; let it end inside of the other",
+                object.location.file, object.location.line, object.name, theirs.name));
         }
     }
 }
@@ -43,7 +76,7 @@ double growth(const Plan& plan, const Body& body, Model model, double hair) {
 }
 
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
-                            Model model, double hair) {
+                            Model model, double hair, std::vector<std::string>* warnings) {
     std::vector<Cutter> result;
     if (model == Model::plain) return result;
     for (const int index : body.higher) {
@@ -56,7 +89,7 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
             const auto& theirs = object_of(scene, part);
             const Cutter cutter{grown(theirs, distance), is_film ? clear_skin : theirs.texture};
             result.push_back(cutter);
-            if (!is_film) extend(scene, body, part, cutter, hair, result);
+            if (!is_film) extend(scene, body, part, distance, hair, result, warnings);
         }
     }
     if (model == Model::gap) {

@@ -40,6 +40,15 @@ public:
         }
     }
 
+    std::vector<std::string> warnings() const {
+        std::vector<std::string> result;
+        if (model_ != Model::contact) return result;
+        for (const Body& body : plan_.bodies) {
+            if (!body.is_outside) cutters(scene_, plan_, body, model_, hair_, &result);
+        }
+        return result;
+    }
+
 private:
     const scene::Object& object(int part) const {
         return scene_.source.objects[std::size_t(scene_.parts[std::size_t(part)].object)];
@@ -232,8 +241,11 @@ private:
 
 }  // namespace
 
-void write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model, double hair) {
-    BodyWriter(writer, scene, model, hair).write();
+std::vector<std::string> write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model,
+                                      double hair) {
+    BodyWriter bodies(writer, scene, model, hair);
+    bodies.write();
+    return bodies.warnings();
 }
 
 }  // namespace meniscus::povray

@@ -7,6 +7,8 @@
 namespace meniscus::povray {
 
 /// All objects of a scene. `hair` is the gap, or the least overlap of contact, in scene units.
-void write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model, double hair);
+/// Returns what the reader should know.
+std::vector<std::string> write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model,
+                                      double hair);
 
 }  // namespace meniscus::povray

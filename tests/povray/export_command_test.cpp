@@ -17,6 +17,8 @@ object { Glass }
 sphere { 0, 0.8 material { ior 1.33 priority 2 absorption rgb <0.1, 0.2, 0.3> } }
 )";
 
+const std::string head = "camera { location <0, 0, -4> look_at 0 }\n";
+
 }  // namespace
 
 TEST_CASE("export writes the scene's name with .pov, or where it is told", "[export][cli]") {
@@ -76,7 +78,6 @@ TEST_CASE("a scale that does not fit is warned of", "[export][cli]") {
 
 TEST_CASE("what export cannot do it refuses where it stands", "[export][cli]") {
     const Program program;
-    const std::string head = "camera { location <0, 0, -4> look_at 0 }\n";
     const struct {
         const char *scene, *arguments, *where, *why;
     } cases[] = {
@@ -110,6 +111,37 @@ TEST_CASE("what export cannot do it refuses where it stands", "[export][cli]") {
         CHECK_THAT(result.err, Contains(c.where) && Contains(c.why));
         CHECK_FALSE(program.exists("s.pov"));
     }
+    // Never over what it reads.
+    const std::string before = program.read("ball.scene");
+    CHECK(program.run("export ball.scene -o ./ball.scene").exit_code == 2);
+    CHECK(program.read("ball.scene") == before);
     CHECK(program.run("export ball.scene -o nowhere/s.pov").exit_code == 3);
     CHECK(program.run("export none.scene").exit_code == 3);
+}
+
+TEST_CASE("a curved wall in common that no export cuts cleanly is warned of", "[export]") {
+    const Program program;
+    const std::string cup = "lathe { linear_spline 4, <0, 0> <1, 0> <1, 1> <0, 1> ";
+    program.write("s.scene", head + cup + "material { ior 1.5 priority 2 } }\n" +
+                                 "cylinder { 0, 2*y, 1 material { ior 1.33 priority 1 } }\n");
+    const auto result = program.run("export s.scene -o s.pov");
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("s.scene:3: ") && Contains("curved outer wall"));
+    CHECK(program.exists("s.pov"));
+    // A cylinder cuts such a wall cleanly.
+    program.write("t.scene", head +
+                                 "cylinder { 0, y, 1 material { ior 1.5 priority 2 } }\n"
+                                 "cylinder { 0, 2*y, 1 material { ior 1.33 priority 1 } }\n");
+    CHECK_THAT(program.run("export t.scene -o t.pov").err, !Contains("curved outer wall"));
+}
+
+TEST_CASE("what is nowhere to be seen is not exported", "[export]") {
+    const Program program;
+    program.write("s.scene", head +
+                                 "sphere { 0, 1 material { ior 1.5 priority 2 } }\n"
+                                 "sphere { 0, 1 material { ior 1.33 priority 1 } }\n");
+    REQUIRE(program.run("export s.scene -o s.pov").exit_code == 0);
+    const std::string text = program.read("s.pov");
+    CHECK_THAT(text, Contains("ior 1.5") && !Contains("ior 1.33"));
 }
