@@ -35,7 +35,7 @@ Flush flush_faces(const tracer::RenderScene& scene, const tracer::Part& a, const
             return [&](const Vec3& other) { return glm::length(other - n) < alike; };
         };
         if (!std::ranges::all_of(found, is_near(found.front()))) {
-            result.curved.push_back(face);
+            result.curved = true;
         } else if (std::ranges::none_of(result.flat, is_near(found.front()))) {
             result.flat.push_back(found.front());
         }
@@ -43,7 +43,7 @@ Flush flush_faces(const tracer::RenderScene& scene, const tracer::Part& a, const
     constexpr std::size_t most_flat_faces = 6;
     if (result.flat.size() > most_flat_faces) {  // a curved face of a mesh
         result.flat.clear();
-        result.curved.push_back(normals.begin()->first);
+        result.curved = true;
     }
     return result;
 }

@@ -9,8 +9,8 @@ namespace meniscus::povray {
 /// The faces that two parts' solids have in common with both on the same side, as sample lines
 /// find them.
 struct Flush {
-    std::vector<geom::Vec3> flat;    // their outward unit normals
-    std::vector<geom::Face> curved;  // of the first part
+    std::vector<geom::Vec3> flat;  // outward unit normals of the flat ones
+    bool curved = false;           // some are
 };
 
 Flush flush_faces(const tracer::RenderScene& scene, const tracer::Part& a, const tracer::Part& b);

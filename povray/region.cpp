@@ -37,26 +37,26 @@ bool widen(scene::Object& object, double reach) {
 /// A cutter that ends flush with the body also cuts what lies behind that face: copies of it, a
 /// little smaller so that no two have a face in common, reach beyond.
 void extend(const tracer::RenderScene& scene, const Body& body, int part, double distance,
-            double hair, std::vector<Cutter>& result, std::vector<std::string>* warnings) {
+            double hair, std::vector<Cutter>& result, std::vector<std::string>& warnings) {
     const auto& theirs = object_of(scene, part);
     const double reach = hair * (4.0 + 2.0 * body.rank);
     for (const int mine : body.parts) {
         const auto& own = scene.parts[std::size_t(mine)];
         const Flush flush = flush_faces(scene, scene.parts[std::size_t(part)], own);
-        if (flush.flat.empty() && flush.curved.empty()) continue;
+        if (flush.flat.empty() && !flush.curved) continue;
         const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture};
         for (const auto& normal : flush.flat) {
             result.push_back(smaller);
             auto& moved = result.back().object;
             moved.transform = moved.transform.then(geom::Transform::translation(reach * normal));
         }
-        if (flush.curved.empty()) continue;
+        if (!flush.curved) continue;
         Cutter wide = smaller;
         if (widen(wide.object, reach)) {
             result.push_back(wide);
-        } else if (warnings) {
+        } else {
             const auto& object = object_of(scene, mine);
-            warnings->push_back(fmt::format(
+            warnings.push_back(fmt::format(
                 "{}:{}: '{}' and the higher '{}' have a curved outer wall in common, where a skin "
                 "of the former stays in the export; let it end inside of the other",
                 object.location.file, object.location.line, object.name, theirs.name));
@@ -76,7 +76,7 @@ double growth(const Plan& plan, const Body& body, Model model, double hair) {
 }
 
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
-                            Model model, double hair, std::vector<std::string>* warnings) {
+                            Model model, double hair, std::vector<std::string>& warnings) {
     std::vector<Cutter> result;
     if (model == Model::plain) return result;
     for (const int index : body.higher) {

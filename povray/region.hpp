@@ -22,9 +22,9 @@ inline constexpr std::size_t clear_skin = std::size_t(-1);
 double growth(const Plan& plan, const Body& body, Model model, double hair);
 
 /// What is above a body and overlaps or touches it: smaller by more than a hair in contact, larger
-/// by the gap for films. Adds to `warnings`, if given, where a curved wall that both have in common
+/// by the gap for films. Adds to `warnings` where a curved wall that both have in common
 /// leaves a skin.
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
-                            Model model, double hair, std::vector<std::string>* warnings = nullptr);
+                            Model model, double hair, std::vector<std::string>& warnings);
 
 }  // namespace meniscus::povray

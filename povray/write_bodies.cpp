@@ -28,6 +28,11 @@ public:
 
     void write() {
         if (model_ != Model::plain) require_exact(scene_, plan_);
+        for (const Body& body : plan_.bodies) {
+            cutters_.push_back(body.is_outside
+                                   ? std::vector<Cutter>{}
+                                   : cutters(scene_, plan_, body, model_, hair_, warnings_));
+        }
         name_textures();
         for (const int part : plan_.plain_parts) write_plain(part);
         if (model_ == Model::contact) {
@@ -40,14 +45,8 @@ public:
         }
     }
 
-    std::vector<std::string> warnings() const {
-        std::vector<std::string> result;
-        if (model_ != Model::contact) return result;
-        for (const Body& body : plan_.bodies) {
-            if (!body.is_outside) cutters(scene_, plan_, body, model_, hair_, &result);
-        }
-        return result;
-    }
+    /// What the reader of what was written should know.
+    const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
     const scene::Object& object(int part) const {
@@ -56,8 +55,8 @@ private:
     const scene::Solid& solid(const Body& body) const {
         return scene_.source.solids[std::size_t(body.solid)];
     }
-    std::vector<Cutter> cutters_of(const Body& body) const {
-        return cutters(scene_, plan_, body, model_, hair_);
+    const std::vector<Cutter>& cutters_of(const Body& body) const {
+        return cutters_[std::size_t(&body - plan_.bodies.data())];
     }
     const Body& body(int index) const { return plan_.bodies[std::size_t(index)]; }
 
@@ -213,7 +212,7 @@ private:
         const auto& it = solid(body);
         write_heading(body.name, it.location,
                       fmt::format(", priority {}", number(it.interior.priority)));
-        const auto cut = cutters_of(body);
+        const auto& cut = cutters_of(body);
         const bool many = is_many_textured(body, cut);
         std::vector<std::string> words;
         if (!many) words = skin(body, texture_name(object(body.parts.front()).texture));
@@ -236,6 +235,8 @@ private:
     Model model_;
     double hair_;
     Plan plan_;
+    std::vector<std::vector<Cutter>> cutters_;  // of each body
+    std::vector<std::string> warnings_;
     std::map<std::size_t, std::string> texture_names_;
 };
 
