@@ -4,10 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "geom/cylindrical.hpp"
-#include "geom/profile.hpp"
 #include "tracer/brightness.hpp"
 #include "tracer/interior_list.hpp"
+#include "tracer/lane_solid.hpp"
 
 namespace meniscus::tracer {
 namespace {
@@ -25,107 +24,6 @@ constexpr double alike_magnitudes = 8.0;
 
 const scene::Texture& texture_of(const RenderScene& scene, const Part& part) {
     return scene.source.textures[scene.source.objects[std::size_t(part.object)].texture];
-}
-
-lanes::Solid convert(const geom::Sphere& sphere) {
-    lanes::Solid solid;
-    solid.kind = lanes::Kind::sphere;
-    solid.center = sphere.center;
-    solid.radius = sphere.radius;
-    solid.inverse_radius = 1.0 / sphere.radius;
-    return solid;
-}
-
-lanes::Solid convert(const geom::Box& box) {
-    lanes::Solid solid;
-    solid.kind = lanes::Kind::box;
-    solid.low = box.low();
-    solid.high = box.high();
-    return solid;
-}
-
-lanes::Solid convert(const geom::Cylinder& cylinder) {
-    lanes::Solid solid;
-    solid.kind = lanes::Kind::cylinder;
-    const geom::Axis axis(cylinder.base, cylinder.cap);
-    solid.center = cylinder.base;
-    solid.axis = axis.direction;
-    solid.length = axis.length;
-    solid.radius = cylinder.radius;
-    return solid;
-}
-
-lanes::Solid convert(const geom::Plane& plane) {
-    lanes::Solid solid;
-    solid.kind = lanes::Kind::half_space;
-    solid.center = plane.normal(0, geom::Vec3{0.0});
-    solid.distance = plane.distance;
-    return solid;
-}
-
-lanes::Solid foreign(bool is_convex) {
-    lanes::Solid solid;
-    solid.kind = is_convex ? lanes::Kind::other_convex : lanes::Kind::other;
-    return solid;
-}
-
-lanes::Solid convert(const geom::Lathe& lathe) {
-    lanes::Solid solid;
-    solid.kind = lanes::Kind::lathe;
-    const geom::Profile& profile = lathe.profile();
-    solid.height = 0.5 * (profile.low().y + profile.high().y);
-    solid.size = profile.size();
-    for (const geom::ProfilePiece& piece : profile.pieces()) {
-        solid.pieces.push_back({piece.line.a * piece.outward, piece.line.b * piece.outward,
-                                piece.line.c * piece.outward, piece.low.x, piece.high.x,
-                                piece.low.y, piece.high.y});
-    }
-    return solid;
-}
-
-/// Whether lanes have code for a shape of their own.
-bool is_native(const geom::Shape& shape) {
-    if (const auto* lathe = std::get_if<geom::Lathe>(&shape)) {
-        const auto& pieces = lathe->profile().pieces();
-        return pieces.size() <= std::size_t(lanes::most_pieces) &&
-               std::ranges::all_of(pieces, [](const auto& piece) { return piece.straight; });
-    }
-    return std::holds_alternative<geom::Sphere>(shape) ||
-           std::holds_alternative<geom::Box>(shape) ||
-           std::holds_alternative<geom::Cylinder>(shape) ||
-           std::holds_alternative<geom::Plane>(shape);
-}
-
-template <class Other>
-lanes::Solid convert(const Other&) {
-    return {};  // not native
-}
-
-/// The radius of a sphere around a box, with a margin for rounding.
-double sphere_around(const geom::Bounds& bounds, const geom::Vec3& middle) {
-    return 0.5 * glm::length(bounds.size()) * (1.0 + 1e-6) + 1e-9 * geom::max_abs(middle);
-}
-
-lanes::Solid make_solid(const Part& part, int index) {
-    const geom::Shape& shape = part.shape.shape();
-    if (std::holds_alternative<geom::Mesh>(shape)) throw CannotHave{"a mesh"};
-    lanes::Solid solid = is_native(shape)
-                             ? std::visit([](const auto& s) { return convert(s); }, shape)
-                             : foreign(part.shape.is_convex());
-    solid.part = index;
-    solid.inverse = part.inverse;
-    solid.to_camera = !part.no_image;
-    solid.to_mirrors = !part.no_reflection;
-    solid.to_lights = !part.no_shadow || part.is_member;
-    solid.placed = !part.shape.transform().is_identity();
-    solid.transform = part.shape.transform();
-    solid.magnitude = part.shape.magnitude();
-    if (lanes::is_costly(solid.kind)) {
-        const geom::Bounds bounds = part.shape.bounds();
-        solid.middle = 0.5 * (bounds.low + bounds.high);
-        solid.reach = sphere_around(bounds, solid.middle);
-    }
-    return solid;
 }
 
 /// Whether it makes no difference which of two members of one priority a ray entered last.
@@ -186,6 +84,7 @@ void compare_priorities(const RenderScene& scene, const std::vector<int>& member
 void check_parts(const RenderScene& scene) {
     double smallest = geom::infinity, farthest = geom::max_abs(scene.source.camera.location);
     for (const Part& part : scene.parts) {
+        if (std::holds_alternative<geom::Mesh>(part.shape.shape())) throw CannotHave{"a mesh"};
         if (!part.shape.is_closed()) throw CannotHave{"an open surface"};
         if (part.is_member && (part.no_image || part.no_reflection))
             throw CannotHave{"a medium that some rays do not see"};
@@ -372,13 +271,14 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
             member.inverse_radius = 1.0 / sphere->radius;
             small.push_back(int(rank));
         } else {
-            program.solids.push_back(make_solid(part, members[rank]));
+            program.solids.push_back(make_lane_solid(part, members[rank]));
             program.solids.back().rank = int(rank);
         }
         program.members.push_back(member);
     }
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-        if (!scene.parts[i].is_member) program.solids.push_back(make_solid(scene.parts[i], int(i)));
+        if (!scene.parts[i].is_member)
+            program.solids.push_back(make_lane_solid(scene.parts[i], int(i)));
     }
     if (program.solids.size() > std::size_t(lanes::most_solids))
         throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
