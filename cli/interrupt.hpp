@@ -4,7 +4,8 @@
 
 namespace meniscus::cli {
 
-/// While this lives, the first Ctrl-C sets `flag()`; the second ends the process as usual.
+/// While this lives, the first Ctrl-C sets `flag()`; another one, 0.2 s later or more, ends the
+/// process as usual.
 class InterruptGuard {
 public:
     InterruptGuard();

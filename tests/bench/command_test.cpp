@@ -70,7 +70,7 @@ TEST_CASE("bench takes several scenes and keeps data apart from words", "[bench]
 TEST_CASE("Ctrl-C keeps what was measured", "[bench]") {
     const Program program;
     // The reference takes a moment, longer on a busy machine; a picture of 2^20 samples takes for
-    // ever.
+    // ever. `timeout` sends its signal twice, to the program and to the program's group.
     Json benchmark;
     for (const std::string seconds : {"2", "8", "32"}) {
         const auto result = program.shell("timeout --signal INT " + seconds +
