@@ -109,7 +109,8 @@ Sweep quick_sweep() {
     sweep.cutoffs = {1.0 / 255.0, 1e-3};
     sweep.depths = {20};
     sweep.limits = {{20, 1.0 / 255.0}, {20, 1e-3}};
-    sweep.antialiasings = {{"-A"}, method(1, 0.1, 3), method(2, 0.1, 2), method(1, 0.0, 3)};
+    sweep.antialiasings = {
+        {"-A"}, method(1, 0.1, 3), method(2, 0.1, 2), method(1, 0.0, 3), method(1, 0.0, 5)};
     return sweep;
 }
 

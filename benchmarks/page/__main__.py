@@ -33,13 +33,13 @@ Everything below is made by one command, which goes on where it was stopped:
 def head(store, quick, command):
     first = json.loads(store.run([render.MENISCUS, "bench", "benchmarks/scenes/opaque.scene", "-W", "8", "-H", "6", "--quick", "--no-povray",
                                   "--spp", "2", "--aa", "0.1", "--json", "-"]))
-    note = ("These are the figures of the quick mode: small pictures, one run of most settings. They show the shape of things, not the last digit.\n\n" if quick else "")
+    note = ("These are the figures of the quick mode: one run of most settings. They show the shape of things, not the last digit.\n\n" if quick else "")
     return HEAD + markdown.code(command) + f"\nMachine: {first['benchmarks'][0]['machine']}.\n\n" + note
 
 
 def main():
     parser = argparse.ArgumentParser(prog="scripts/benchmarks", description="Makes docs/benchmarks.md and its plots anew.")
-    parser.add_argument("--quick", action="store_true", help="small pictures and few settings: about ten minutes instead of hours")
+    parser.add_argument("--quick", action="store_true", help="few settings and points: half an hour instead of many")
     parser.add_argument("--again", action="store_true", help="forget what an earlier run has measured")
     options = parser.parse_args()
 

@@ -10,7 +10,7 @@ SCENES = "tests/povray/bench"
 
 
 def subjects(quick):
-    size = ["-W", "96", "-H", "72", "--quick"] if quick else ["-W", "320", "-H", "240"]
+    size = ["-W", "320", "-H", "240", *(["--quick"] if quick else [])]
     # POV-Ray renders the gap fastest from sources written by hand; at their scale it loses films thinner than 1e-3.
     gap = ["--gap", "1e-3", "--declare", "Gap=1e-3", "--declare", "GAP=1e-3"]
     yield "(i)", "spheres", "three nested spheres: glass, water, ice", [
@@ -25,7 +25,7 @@ def ratio_rows(ratios):
 
 
 def mesh_words(quick, folder):
-    size = ["-W", "64", "-H", "48", "--reference-spp", "16"] if quick else ["-W", "320", "-H", "240"]
+    size = ["-W", "160", "-H", "120", "--reference-spp", "16"] if quick else ["-W", "320", "-H", "240"]
     return ["benchmarks/scenes/ring.scene", *size, "-L", str(folder), "--models", "contact", "--modes", "sweep", "--quick",
             "--runs", "1" if quick else "3", "--spp", "2,4"]
 
