@@ -21,6 +21,7 @@ constexpr auto lints = std::to_array<Lint*>({
     find_media_without_solid,
     find_hidden_iors,
     find_camera_in_media,
+    find_camera_in_opaque,
     find_lost_sky,
     find_buried_lights,
 });

@@ -31,7 +31,7 @@ void find_camera_in_media(const RenderScene& scene, const Names& names,
                           std::vector<Finding>& findings) {
     const Vec3 p = eye(scene.source);
     for (const Part& part : scene.parts) {
-        if (!part.is_member || !contains(part, p)) continue;
+        if (!part.is_member || part.is_opaque || !contains(part, p)) continue;
         // The complement of a lens's face, as air, is where a camera belongs.
         const scene::Scene& source = scene.source;
         const auto& interior = source.solids[std::size_t(part.solid)].interior;
@@ -43,6 +43,24 @@ void find_camera_in_media(const RenderScene& scene, const Names& names,
         finding.text =
             fmt::format("the camera at {} is inside {}", text(p), names.with_priority(part.solid));
         finding.advice = "nothing need be done if that is meant: rays start in there";
+        finding.position = p;
+        findings.push_back(std::move(finding));
+    }
+}
+
+void find_camera_in_opaque(const RenderScene& scene, const Names& names,
+                           std::vector<Finding>& findings) {
+    const Vec3 p = eye(scene.source);
+    for (const Part& part : scene.parts) {
+        if (!part.is_opaque || part.no_image || !contains(part, p)) continue;
+        Finding finding;
+        finding.severity = Finding::Severity::note;
+        finding.lint = "camera-inside-opaque";
+        finding.location = scene.source.objects[std::size_t(part.object)].location;
+        finding.text = fmt::format(
+            "the camera at {} is inside {}, which is opaque: it sees nothing beyond its surface",
+            text(p), names.object(part.object));
+        finding.advice = "nothing need be done if that is meant, as of a backdrop round the scene";
         finding.position = p;
         findings.push_back(std::move(finding));
     }

@@ -21,6 +21,7 @@ Lint find_bad_shells;           // lint_shells.cpp
 Lint find_media_without_solid;  // lint_media.cpp
 Lint find_hidden_iors;
 Lint find_camera_in_media;  // lint_space.cpp
+Lint find_camera_in_opaque;
 Lint find_lost_sky;
 Lint find_buried_lights;
 

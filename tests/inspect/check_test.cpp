@@ -246,6 +246,32 @@ TEST_CASE("a camera in a medium is a note", "[inspect]") {
     CHECK(inspect::summary(findings) == "0 warnings, 2 notes");
 }
 
+TEST_CASE("a camera in an opaque solid is a note, whether the solid has a priority or not",
+          "[inspect]") {
+    auto scene = seen_from_afar();
+    add_opaque(scene, "Rock", geom::Box{{-1.0, -1.0, -51.0}, {1.0, 1.0, -49.0}});
+    const auto has_priority = GENERATE(false, true);
+    scene.solids[0].interior.priority = 3.0;
+    scene.solids[0].interior.states_priority = has_priority;
+    REQUIRE(tracer::compile(scene).has_members == has_priority);
+    const auto findings = check(scene);
+    REQUIRE(lints(findings) == Lints{"camera-inside-opaque"});
+    CHECK(findings[0].severity == Finding::Severity::note);
+    CHECK(findings[0].location.line == 1);
+    CHECK(findings[0].position == scene.camera.location);
+    CHECK(findings[0].text.find("Rock, which is opaque") != std::string::npos);
+
+    SECTION("not beside it, nor in what the camera does not see") {
+        scene.objects[0].no_image = true;
+        CHECK(check(scene).empty());
+        scene.objects[0].no_image = false;
+        scene.camera.location = {0.0, 0.0, -48.9};
+        CHECK(check(scene).empty());
+        scene.objects[0].inverse = true;
+        CHECK(lints(check(scene)) == Lints{"camera-inside-opaque"});
+    }
+}
+
 TEST_CASE("a sky behind a medium that absorbs is lost, and that is said", "[inspect]") {
     auto scene = glass_over_water();
     scene.settings.outside.absorption = {0.1, 0.0, 0.2};
@@ -263,8 +289,8 @@ TEST_CASE("a light inside an opaque solid is found, but not inside a backdrop", 
     add_opaque(scene, "Lamp", geom::Sphere{{5.0, 5.0, 0.0}, 1.0});
     scene.lights.push_back({.position = {5.0, 5.0, 0.0}, .location = {"test.scene", 9, 1}});
     const auto findings = check(scene);
-    REQUIRE(lints(findings) == Lints{"buried-light"});
-    CHECK(findings[0].location.line == 9);
+    REQUIRE(lints(findings) == Lints{"camera-inside-opaque", "buried-light"});
+    CHECK(findings[1].location.line == 9);
     scene.objects[1].no_shadow = true;
-    CHECK(check(scene).empty());
+    CHECK(lints(check(scene)) == Lints{"camera-inside-opaque"});
 }
