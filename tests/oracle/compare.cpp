@@ -11,27 +11,9 @@ namespace meniscus::oracle {
 
 namespace {
 
-/// Whether the exact picture jumps over `value` within 1e-9 of its width of a pixel's centre: that
-/// is asked all round, at distances down to the rounding of a double.
-template <class Real>
-bool jumps_over(const Tracer<Real>& oracle, int x, int y, const Picture& picture,
-                const scene::Rgb& truth, const scene::Rgb& value) {
-    scene::Rgb low = truth, high = truth;
-    for (double distance = 1e-9; distance > 5e-16; distance /= 4.0) {
-        for (int i = 0; i < 12; ++i) {
-            const double angle = 0.1 + i * std::acos(-1.0) / 6.0;
-            const Real way = Real(distance) * Real(picture.width);
-            const scene::Rgb beside = oracle.sample(
-                Real(x) + Real(0.5) + way * Real(std::cos(angle)),
-                Real(y) + Real(0.5) + way * Real(std::sin(angle)), picture.width, picture.height);
-            low = glm::min(low, beside);
-            high = glm::max(high, beside);
-            if (glm::all(glm::lessThan(low - 1e-3, value)) &&
-                glm::all(glm::lessThan(value, high + 1e-3)))
-                return true;
-        }
-    }
-    return false;
+scene::Rgb pixel_of(const tracer::Rendered& ours, int x, int y) {
+    const float* rgb = ours.picture.pixel(x, y);
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
 /// The largest channel's difference of `seen`, which was rounded to float, from the truth.
@@ -45,21 +27,21 @@ double difference_of(const scene::Rgb& truth, const scene::Rgb& seen) {
 }
 
 /// `true_pixel(x, y, seen)` is the exact light.
-template <class Real, class TruePixel>
-Difference compare_pixels(const tracer::Rendered& ours, const Picture& picture,
-                          TruePixel true_pixel, const Tracer<Real>& oracle) {
+template <class TruePixel>
+Difference compare_pixels(const tracer::Rendered& ours, const scene::Scene& scene,
+                          const Picture& picture, TruePixel true_pixel) {
+    const Tracer<Quad> quad(scene, picture.limits);
     Difference result;
     result.leaks = ours.statistics.leaks;
     std::vector<double> differences;
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
-            const float* rgb = ours.picture.pixel(x, y);
-            const scene::Rgb seen{rgb[0], rgb[1], rgb[2]}, truth = true_pixel(x, y, seen);
+            const scene::Rgb seen = pixel_of(ours, x, y), truth = true_pixel(x, y, seen);
             const double difference = difference_of(truth, seen);
             differences.push_back(difference);
             if (!(difference <= 1e-6)) ++result.off;
             if (!(difference <= 2e-3)) ++result.far_off;
-            if (!(difference <= 1e-3) && !jumps_over(oracle, x, y, picture, truth, seen))
+            if (!(difference <= 1e-3) && !jumps_over({&quad}, x, y, picture, {seen}, 1e-3))
                 ++result.unexplained;
             if (!(difference <= result.largest)) {
                 result.largest = difference;
@@ -76,6 +58,35 @@ Difference compare_pixels(const tracer::Rendered& ours, const Picture& picture,
 }
 
 }  // namespace
+
+bool jumps_over(std::initializer_list<const Tracer<Quad>*> oracles, int x, int y,
+                const Picture& picture, std::initializer_list<scene::Rgb> values, double slack,
+                double reach) {
+    scene::Rgb low{geom::infinity}, high{-geom::infinity};
+    const auto spans_all = [&](Quad at_x, Quad at_y) {
+        for (const auto* oracle : oracles) {
+            const auto light = oracle->sample(at_x, at_y, picture.width, picture.height);
+            low = glm::min(low, light);
+            high = glm::max(high, light);
+        }
+        return std::ranges::all_of(values, [&](const scene::Rgb& value) {
+            return glm::all(glm::lessThan(low - slack, value)) &&
+                   glm::all(glm::lessThan(value, high + slack));
+        });
+    };
+    const Quad middle_x = x + Quad(0.5), middle_y = y + Quad(0.5);
+    if (spans_all(middle_x, middle_y)) return true;
+    for (double distance = reach; distance > 5e-16; distance /= 4.0) {
+        for (int i = 0; i < 12; ++i) {
+            const double angle = 0.1 + i * std::acos(-1.0) / 6.0;
+            const Quad way = Quad(distance) * Quad(picture.width);
+            if (spans_all(middle_x + way * Quad(std::cos(angle)),
+                          middle_y + way * Quad(std::sin(angle))))
+                return true;
+        }
+    }
+    return false;
+}
 
 tracer::Options options_for(const Picture& picture, int threads) {
     tracer::Options options;
@@ -111,12 +122,9 @@ template <class Real>
 Difference compare(const tracer::Rendered& ours, const scene::Scene& scene,
                    const Picture& picture) {
     const Tracer<Real> oracle(scene, picture.limits);
-    return compare_pixels(
-        ours, picture,
-        [&](int x, int y, const scene::Rgb&) {
-            return oracle.pixel(x, y, picture.width, picture.height);
-        },
-        oracle);
+    return compare_pixels(ours, scene, picture, [&](int x, int y, const scene::Rgb&) {
+        return oracle.pixel(x, y, picture.width, picture.height);
+    });
 }
 
 Difference compare_closely(const scene::Scene& scene, const Picture& picture) {
@@ -127,15 +135,27 @@ Difference compare_closely(const tracer::Rendered& ours, const scene::Scene& sce
                            const Picture& picture) {
     const Tracer<Extended> extended(scene, picture.limits);
     const Tracer<Quad> quad(scene, picture.limits);
-    return compare_pixels(
-        ours, picture,
-        [&](int x, int y, const scene::Rgb& seen) {
-            const scene::Rgb truth = extended.pixel(x, y, picture.width, picture.height);
-            return difference_of(truth, seen) <= 1e-9
-                       ? truth
-                       : quad.pixel(x, y, picture.width, picture.height);
-        },
-        quad);
+    return compare_pixels(ours, scene, picture, [&](int x, int y, const scene::Rgb& seen) {
+        const scene::Rgb truth = extended.pixel(x, y, picture.width, picture.height);
+        return difference_of(truth, seen) <= 1e-9 ? truth
+                                                  : quad.pixel(x, y, picture.width, picture.height);
+    });
+}
+
+Change change(const tracer::Rendered& a, const tracer::Rendered& b, const scene::Scene& scene,
+              const Picture& picture, double bound) {
+    const Tracer<Quad> oracle(scene, picture.limits);
+    Change result;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const scene::Rgb one = pixel_of(a, x, y), other = pixel_of(b, x, y);
+            if (geom::max_abs(one - other) <= bound) continue;
+            ++result.off;
+            if (!jumps_over({&oracle}, x, y, picture, {one, other}, 0.5 * bound))
+                ++result.unexplained;
+        }
+    }
+    return result;
 }
 
 template Difference compare<double>(const scene::Scene&, const Picture&);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 #include "scene/scene.hpp"
@@ -20,6 +21,13 @@ tracer::Options options_for(const Picture& picture, int threads = 1);
 
 /// The tracer's picture of the scene.
 tracer::Rendered rendered(const scene::Scene& scene, const Picture& picture = {}, int threads = 1);
+
+/// Whether the exact picture (or one between the exact ones, if there are several) jumps over all
+/// of the values near a pixel's centre, but for `slack`: that is asked all round, at distances from
+/// `reach` widths of the picture down to the rounding of a double.
+bool jumps_over(std::initializer_list<const Tracer<Quad>*> oracles, int x, int y,
+                const Picture& picture, std::initializer_list<scene::Rgb> values, double slack,
+                double reach = 1e-9);
 
 /// How far the tracer's picture is from the oracle's.
 struct Difference {
@@ -46,6 +54,18 @@ Difference compare(const tracer::Rendered& ours, const scene::Scene& scene,
 Difference compare_closely(const scene::Scene& scene, const Picture& picture = {});
 Difference compare_closely(const tracer::Rendered& ours, const scene::Scene& scene,
                            const Picture& picture = {});
+
+/// How far two pictures of ours are apart that show the same.
+struct Change {
+    std::size_t off = 0;  // pixels, by more than the bound in some channel
+    /// Of these, where the exact picture does not jump over both values (as above).
+    std::size_t unexplained = 0;
+};
+
+/// `scene` is what both show; its exact picture, in quad precision, is asked where they differ by
+/// more than `bound`.
+Change change(const tracer::Rendered& a, const tracer::Rendered& b, const scene::Scene& scene,
+              const Picture& picture, double bound);
 
 extern template Difference compare<double>(const scene::Scene&, const Picture&);
 extern template Difference compare<double>(const tracer::Rendered&, const scene::Scene&,

@@ -24,7 +24,7 @@ void check_equal(const SceneBuilder& builder, const Picture& picture = {}) {
     INFO(difference.text());
     CHECK(difference.leaks == 0);
     CHECK(difference.median < 1e-9);
-    CHECK(difference.far_off * 1000 <= difference.pixels);
+    CHECK(difference.unexplained == 0);
 }
 
 const scene::Rgb amber{0.05, 0.2, 0.6};
