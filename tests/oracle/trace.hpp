@@ -59,6 +59,15 @@ public:
     Tracer(const scene::Scene& scene, const Limits& limits)
         : world_(scene, limits.contact), limits_(limits) {}
 
+    /// A ray of the tree, with what `radiance` is given beside it.
+    struct Branch {
+        V o, d;
+        int level;
+        double weight;
+        bool straight_on;
+    };
+    std::vector<Branch>* record = nullptr;  // where to note each, if anyone wants to know
+
     const World<Real>& world() const { return world_; }
 
     /// The light at the centre of pixel (x, y).
@@ -80,6 +89,7 @@ public:
     /// `level` is that of the segment before.
     Rgb radiance(const V& o, const V& d, int level, double weight, bool straight_on = false) const {
         if (level >= limits_.depth) return Rgb{0.0};
+        if (record) record->push_back({o, d, level, weight, straight_on});
         if (!straight_on) ++level;
         if (weight < limits_.cutoff) return Rgb{0.0};
         int start = nothing;
