@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "tracer/levels.hpp"
 #include "tracer/render_scene.hpp"
 
 namespace meniscus::tracer {
@@ -21,8 +23,6 @@ struct Candidate {
     Key key;
     int part;
     geom::Anchor anchor;
-    std::optional<double> radius;  // of faces that stay at one distance from others about the same
-                                   // centre or axis
 };
 
 Key key_of(const geom::Anchor& anchor) {
@@ -39,36 +39,33 @@ Key key_of(const geom::Anchor& anchor) {
     return key;
 }
 
-std::optional<double> radius_of(const geom::Shape& shape) {
-    if (const auto* sphere = std::get_if<geom::Sphere>(&shape)) return sphere->radius;
-    if (const auto* cylinder = std::get_if<geom::Cylinder>(&shape)) return cylinder->radius;
-    return std::nullopt;
-}
-
 /// Whether some of the parts, which share an anchor, may have a film between them that the plain
-/// tolerance closes. Of round ones about one centre or axis that is seen; others, which may have a
-/// film of their own, are only asked how far away they are.
-bool ask_for_anchor(const std::vector<Candidate>& all, std::size_t begin, std::size_t end,
+/// tolerance closes. That is seen by the distances of what is parallel; of parts that lie far away
+/// it is not asked.
+bool ask_for_anchor(const RenderScene& scene, std::span<const Candidate> sharing,
                     double scene_reach) {
-    std::vector<double> radii;
+    const geom::Anchor& first = sharing.front().anchor;
+    const bool is_frame = first.kind == geom::Anchor::Kind::frame;
     double size = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-        const geom::Anchor& anchor = all[i].anchor;
+    std::vector<Level> levels;
+    for (const Candidate& candidate : sharing) {
+        const geom::Anchor& anchor = candidate.anchor;
         size = std::max(size, anchor.size);
-        if (all[i].radius && anchor.kind != geom::Anchor::Kind::frame) {
-            radii.push_back(*all[i].radius);
-        } else if (geom::max_abs(anchor.point) > geom::far_from_origin * anchor.size &&
-                   (anchor.kind == geom::Anchor::Kind::frame || end - begin > 1)) {
+        const geom::Shape& shape = scene.parts[std::size_t(candidate.part)].shape.shape();
+        const bool is_asked = anchor.kind == geom::Anchor::Kind::center ||
+                              std::holds_alternative<geom::Cylinder>(shape);
+        if (geom::max_abs(anchor.point) > geom::far_from_origin * anchor.size &&
+            (is_frame || (!is_asked && sharing.size() > 1)))
             return true;
-        }
+        add_levels(shape, is_frame ? geom::Vec3{0.0} : first.point, levels);
     }
-    std::ranges::sort(radii);
+    // Of cylinders and cones only the sides share the axis.
+    if (first.face != geom::no_face)
+        std::erase_if(levels, [](const Level& level) { return level.kind == Level::Kind::planes; });
+    const double scale = is_frame ? first.frame.largest_scale() : 1.0;
+    const double rounding = 4.0 * geom::unit_roundoff * size;
     const double plain = 64.0 * 16.0 * geom::unit_roundoff * scene_reach;
-    for (std::size_t i = 1; i < radii.size(); ++i) {
-        const double film = radii[i] - radii[i - 1];
-        if (film > 4.0 * geom::unit_roundoff * size && film < plain) return true;
-    }
-    return false;
+    return has_film(levels, size / scale, rounding / scale, plain / scale);
 }
 
 }  // namespace
@@ -84,14 +81,15 @@ void find_anchors(RenderScene& scene) {
         if (!shape.is_closed()) continue;
         const std::optional<geom::Anchor> anchor = shape.anchor();
         if (!anchor || geom::max_abs(anchor->point) < near_origin * anchor->size) continue;
-        candidates.push_back({key_of(*anchor), int(i), *anchor, radius_of(shape.shape())});
+        candidates.push_back({key_of(*anchor), int(i), *anchor});
     }
     std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
         return a.key != b.key ? a.key < b.key : a.part < b.part;
     });
     for (std::size_t begin = 0, end = 0; begin < candidates.size(); begin = end) {
         while (end < candidates.size() && candidates[end].key == candidates[begin].key) ++end;
-        if (!ask_for_anchor(candidates, begin, end, 2.0 * farthest + scene.size)) continue;
+        const std::span sharing(candidates.data() + begin, end - begin);
+        if (!ask_for_anchor(scene, sharing, 2.0 * farthest + scene.size)) continue;
         const geom::Anchor& first = candidates[begin].anchor;
         SharedAnchor shared{first.point, 0.0, first.face};
         for (std::size_t i = begin; i < end; ++i) {
