@@ -46,6 +46,7 @@ bool ask_for_anchor(const RenderScene& scene, std::span<const Candidate> sharing
                     double scene_reach) {
     const geom::Anchor& first = sharing.front().anchor;
     const bool is_frame = first.kind == geom::Anchor::Kind::frame;
+    if (sharing.size() == 1 && !is_frame) return false;
     double size = 0.0;
     std::vector<Level> levels;
     for (const Candidate& candidate : sharing) {
