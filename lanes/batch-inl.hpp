@@ -149,11 +149,10 @@ HWY_INLINE Top select(M m, const Top& x, const Top& y, const Program& program) {
 /// The nearest true crossing so far.
 struct Crossing {
     F t;
-    F id;    // index of the solid + 1, or `small_sphere_id`; negative where its shape is left
-    F face;  // whole number
-    F end;   // where the stretch ends that it begins, if the program needs to know
+    U index;  // of the solid, or `is_small_sphere`
+    F face;   // whole number
 };
-inline constexpr double small_sphere_id = most_solids + 1;
+inline constexpr std::uint64_t is_small_sphere = most_solids;
 
 struct Batch {
     RayStack* stack = nullptr;       // where the rays stood
@@ -166,15 +165,20 @@ struct Batch {
     U code, key, sphere_contacts;
     List inside;
     M is_mirrored;
-    // Where each solid's stretches of them lie (2 i and 2 i + 1 for solid i).
+    // Where each solid is next crossed, and on which face.
+    F crossing[most_solids], crossing_face[most_solids];
+    F first, second;  // the two nearest of these and of small spheres' crossings
+    F ends;           // the nearest crossing that is not its solid's next
+    F sphere_first;   // the nearest with small spheres
+    M doubt;          // lanes that need all stretches
+    // Where each solid's stretches of the rays lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any
     SphereStretches spheres[lanes];
     Doubles sphere_ranks;            // of nearest crossings with small spheres
     std::uint32_t near_spheres = 0;  // lanes that have some
     Crossing nearest;
-    F first, second;  // the two nearest crossings, true or not, one of a stretch
-    M unsure;         // too close to call
+    M unsure;  // too close to call
     // The event: what is there just before and just after it.
     M met;
     F t;
@@ -189,7 +193,7 @@ struct Batch {
     M same, nothing, glass, painted, dressed;
     M by_surface;   // it stands in no list
     F owner, face;  // rank of the solid whose surface it is
-    U owner_index;  // and its place among the program's, if it is no small sphere
+    U owner_index;  // and its place among the program's, or `is_small_sphere`
     F3 point, normal;
     F magnitude;  // M at the point
 };

@@ -69,23 +69,38 @@ public:
 private:
     void step(RayStack& stack, bool is_shadow);
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
-    void find_stretches(Batch& batch);
-    HWY_INLINE void meet(Batch& batch, std::size_t solid);
-    HWY_INLINE void meet_ball(Batch& batch, std::size_t solid);
-    HWY_INLINE void meet_floor(Batch& batch, std::size_t solid);
+    HWY_INLINE void clear_findings(Batch& batch) const;
+    void approach(Batch& batch);
+    HWY_INLINE void approach_ball(Batch& batch, std::size_t i);
+    HWY_INLINE void approach_floor(Batch& batch, std::size_t i);
+    HWY_INLINE void approach_cylinder(Batch& batch, std::size_t i);
+    HWY_INLINE void approach_box(Batch& batch, std::size_t i);
+    HWY_INLINE void approach_lathe(Batch& batch, std::size_t i);
+    HWY_INLINE void come_to_span(Batch& batch, const Solid& solid, std::size_t i, M inside, F t0,
+                                 F t1, M exists, F face);
+    HWY_INLINE void approach_any(Batch& batch, std::size_t i);
+    HWY_INLINE void come_to(Batch& batch, const Solid& solid, std::size_t i, F t, F face, M hidden);
+    HWY_NOINLINE void find_stretches(Batch& batch);
+    bool ask(Batch& batch, std::size_t i);
+    HWY_INLINE void meet(Batch& batch, std::size_t i);
+    HWY_INLINE void meet_floor(Batch& batch, std::size_t i);
     HWY_INLINE M hidden_from(const Batch& batch, const Solid& solid) const;
-    HWY_INLINE void offer(Batch& batch, const Solid& solid, std::size_t i, const Stretch& stretch,
-                          M hidden);
+    HWY_INLINE void offer(Batch& batch, std::size_t i, const Stretch& stretch, M hidden);
     HWY_INLINE Span ask_span(const Batch& batch, const Solid& solid, U contact, M which);
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch);
-    HWY_INLINE void own_by_small_spheres(Batch& batch, Top& owner, List& bit) const;
+    HWY_INLINE void own_by_small_spheres(Batch& batch, Top* owner, List& bit) const;
     HWY_INLINE F nearest_magnitude(const Batch& batch) const;
     void find_event(Batch& batch);
+    bool list_event(Batch& batch);
     HWY_INLINE void change_lists(Batch& batch);
+    void count_together(Batch& batch, F reach);
+    HWY_INLINE F bounds_of_event(const Batch& batch, F& pivot) const;
+    HWY_INLINE void name_owner(Batch& batch) const;
+    HWY_INLINE void mark_ties(Batch& batch);
     HWY_INLINE void cover_by_small_spheres(const List& list, Top& top) const;
-    void make_lists(Batch& batch);
+    HWY_NOINLINE void make_lists(Batch& batch);
     HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
                                        Top& after);
     HWY_INLINE M are_both(const Tie& tie, const List& list) const;
@@ -95,9 +110,9 @@ private:
     HWY_INLINE void attenuate(Batch& batch);
     HWY_INLINE void arrive(const Batch& batch, M gone);
     HWY_INLINE void put_on_faces(Batch& batch);
-    HWY_INLINE void put_on_balls(Batch& batch, M by_member, F& owner_magnitude) const;
+    HWY_INLINE void put_on_balls(Batch& batch, M here, F& owner_magnitude) const;
     HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
-    HWY_INLINE void add_small_spheres(const Batch& batch, M by_member, Round& round,
+    HWY_INLINE void add_small_spheres(const Batch& batch, M met, Round& round,
                                       F& owner_magnitude) const;
     HWY_INLINE void pass(Batch& batch, RayStack& stack, M which);
     HWY_INLINE void split(Batch& batch);

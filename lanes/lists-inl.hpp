@@ -12,29 +12,46 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// The event: the nearest true crossing, what coincides with it, and the lists just before and
-/// just after.
-inline void Kernel::find_event(Batch& batch) {
+/// The event and its lists, from the next crossing with each solid; false if there is a ray for
+/// which that is not enough.
+inline bool Kernel::list_event(Batch& batch) {
     const Rays& rays = batch.rays;
-    const Crossing& nearest = batch.nearest;
-    batch.met = rays.active & (nearest.t < F(infinity));
-    if (batch.is_shadow) batch.met = batch.met & (nearest.t <= rays.t_max);
-    const F t = select(batch.met, nearest.t, min(rays.t_max, F(1e300)));
+    const F nearest = batch.nearest.t;
+    const F first = max(batch.first, F(0.0));
+    F next = min(batch.second, batch.ends);
+    M met = rays.active & (nearest < F(infinity));
+    F t = min(max(nearest, F(0.0)), F(1e300));
+    if (batch.is_shadow) {
+        met = met & (nearest <= rays.t_max);
+        t = select(met, t, min(rays.t_max, F(1e300)));
+        next = select(met, next, min(first, next));
+    }
+    batch.met = met;
     batch.t = t;
+    const F reach = max(F(1e-7) * (rays.largest + t + F(program_.largest_magnitude)),
+                        F(100.0 * program_.contact_tolerance));
+    const F beyond = t + reach;
+    // Before the start by more than rounding lies nothing: there list and place would disagree.
+    const M doubt = batch.doubt | (batch.first < rays.sure_start);
     // Most crossings have the place to themselves, and no false ones before them.
-    const F beyond = t + max(F(1e-7) * (rays.largest + t + F(program_.largest_magnitude)),
-                             F(100.0 * program_.contact_tolerance));
-    const F next = select(batch.met, min(batch.second, nearest.end), batch.first);
-    const M alone = (beyond < next) & (t <= batch.first);
-    if (any(but_not(rays.active, alone))) {
-        make_lists(batch);
+    const M alone = (beyond < next) & (t <= first);
+    const M crowded = but_not(rays.active, alone);
+    // Otherwise each solid is crossed once at most, and no small sphere.
+    const M overcrowded = but_not(crowded, beyond < min(batch.ends, batch.sphere_first));
+    if (any((rays.active & doubt) | overcrowded)) return false;
+    if (any(crowded)) {
+        count_together(batch, reach);
     } else {
         change_lists(batch);
     }
+    return true;
+}
+
+HWY_INLINE void Kernel::mark_ties(Batch& batch) {
     M both = no_lanes();
     for (const Tie& tie : program_.ties)
         both = both | are_both(tie, batch.before) | are_both(tie, batch.after);
-    batch.unsure = rays.active & (batch.unsure | (batch.met & both));
+    batch.unsure = batch.rays.active & (batch.unsure | (batch.met & both));
 }
 
 /// The rays that are inside of two kinds of a tie.
@@ -54,16 +71,14 @@ HWY_INLINE M Kernel::are_both(const Tie& tie, const List& list) const {
 HWY_INLINE void Kernel::change_lists(Batch& batch) {
     const Crossing& nearest = batch.nearest;
     const M met = batch.met;
-    const U index = index_of(nearest.id);
+    const U index = nearest.index;
     batch.owner_index = index;
-    M leaves = nearest.id < F(0.0);
-    if (program_.has_inverse) leaves = leaves ^ (F(0.0) < look_up(table_.inverse, index));
     M by_member = met;
     batch.surface = F(double(no_rank));
     if (program_.has_surfaces) {
         const M by_surface = met & (F(0.0) < look_up(table_.surface, index));
         by_member = but_not(met, by_surface);
-        batch.surface = select(by_surface, abs(nearest.id) - F(1.0), batch.surface);
+        batch.surface = select(by_surface, to_double(index), batch.surface);
     }
     Top owner(program_.outside), top = owner;
     owner.rank = look_up(table_.rank, index);
@@ -76,15 +91,16 @@ HWY_INLINE void Kernel::change_lists(Batch& batch) {
     List bit;
     for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
     batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres != 0) own_by_small_spheres(batch, owner, bit);
+    if (batch.near_spheres != 0) own_by_small_spheres(batch, &owner, bit);
 
     List rest;
+    M leaves = no_lanes();
     for (int w = 0; w < program_.words; ++w) {
-        const U own = only(met, bit.word[w]);
-        const U with = batch.inside.word[w] | own;
-        rest.word[w] = but_not(batch.inside.word[w], own);
-        batch.before.word[w] = select(leaves, with, rest.word[w]);
-        batch.after.word[w] = select(leaves, rest.word[w], with);
+        const U inside = batch.inside.word[w], own = only(met, bit.word[w]);
+        leaves = leaves | shares(inside, own);
+        rest.word[w] = but_not(inside, own);
+        batch.before.word[w] = inside;
+        batch.after.word[w] = inside ^ own;
     }
     for (const Solid& solid : program_.solids) {
         if (solid.rank < 0) continue;
@@ -98,68 +114,70 @@ HWY_INLINE void Kernel::change_lists(Batch& batch) {
     batch.false_crossings = F(0.0);
 }
 
-/// The lists anew, from all stretches: what lies within the tolerance of the event counts together.
-inline void Kernel::make_lists(Batch& batch) {
-    Top before(program_.outside), after(program_.outside);
+/// What has a say in the tolerance at an event: the larger of two magnitudes, its own and
+/// another's.
+HWY_INLINE F Kernel::bounds_of_event(const Batch& batch, F& pivot) const {
+    pivot = program_.one_tolerance ? F(program_.largest_magnitude) : nearest_magnitude(batch);
+    return max(F(1e-7) * (batch.rays.largest + batch.t + pivot),
+               F(100.0 * program_.contact_tolerance));
+}
+
+/// The lists where each solid is crossed once at most up to behind the event: what lies within the
+/// tolerance of it counts together.
+inline void Kernel::count_together(Batch& batch, F) {
     const Rays& rays = batch.rays;
     const F t = batch.t;
-    for (int w = 0; w < program_.words; ++w) batch.before.word[w] = batch.after.word[w] = U(0);
+    F pivot;
+    const F reach = bounds_of_event(batch, pivot);
+    const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
+    const F far = rays.largest + t;
+    const F common = max(units * (far + pivot), least);
+    F low = t - common, high = t + common;
     batch.contacts = U(0);
     batch.surface = F(double(no_rank));
     batch.surface_face = F(0.0);
     batch.false_crossings = F(0.0);
-    const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
-    const F pivot =
-        program_.one_tolerance ? F(program_.largest_magnitude) : nearest_magnitude(batch);
-    const F far = rays.largest + t;
-    const F reach = max(F(1e-7) * (far + pivot), F(100.0) * least);
-    const F common = max(units * (far + pivot), least);
-    F low = t - common, high = t + common;
+    for (int w = 0; w < program_.words; ++w)
+        batch.before.word[w] = batch.after.word[w] = batch.inside.word[w];
+    batch.sphere_contacts_after = U(0);
+    if (batch.near_spheres != 0) {
+        List own;
+        for (int w = 0; w < program_.words; ++w) own.word[w] = U(0);
+        own_by_small_spheres(batch, nullptr, own);
+        for (int w = 0; w < program_.words; ++w)
+            batch.after.word[w] = batch.after.word[w] ^ own.word[w];
+        batch.contacts = U(0);
+    }
+    Top before(program_.outside), after(program_.outside);
     M torn = no_lanes();
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
-        if (!batch.is_near[i] && !solid.inverse) continue;  // nowhere before, nowhere after
         if (!program_.one_tolerance) {
             const F tolerance = max(units * (far + max(pivot, F(solid.magnitude))), least);
             low = t - tolerance;
             high = t + tolerance;
         }
-        M is_before = no_lanes(), is_after = is_before, once = is_before;
-        F face(0.0);
-        for (std::size_t part = 0; part < (has_two_stretches(solid.kind) ? 2 : 1); ++part) {
-            const Stretch& stretch = batch.stretches[2 * i + part];
-            const M entered = stretch.in < low, entered_after = stretch.in <= high;
-            const M left = stretch.out < low, left_after = stretch.out <= high;
-            const M enters = entered ^ entered_after, leaves = left ^ left_after;
-            torn = torn | (enters ^ (abs(stretch.in - t) <= reach)) |
-                   (leaves ^ (abs(stretch.out - t) <= reach));
-            is_before = is_before | but_not(entered, left);
-            is_after = is_after | but_not(entered_after, left_after);
-            once = once ^ enters ^ leaves;
-            const M fresh = entered & (F(0.0) <= stretch.in);
-            if (any(fresh | left))
-                batch.false_crossings =
-                    batch.false_crossings + only(fresh, F(1.0)) + only(left, F(1.0));
-            if (has_faces(solid.kind))
-                face = select(enters, stretch.face_in, select(leaves, stretch.face_out, face));
-        }
+        const F at = max(batch.crossing[i], F(0.0));
+        const M passed = at < low, reached = at <= high;
+        const M touches = but_not(reached, passed);
+        torn = torn | (touches ^ (abs(at - t) <= reach));
+        if (any(passed)) batch.false_crossings = batch.false_crossings + only(passed, F(1.0));
+        const F face = has_faces(solid.kind) ? only(touches, batch.crossing_face[i]) : F(0.0);
         batch.contacts =
             batch.contacts |
-            only(once, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
-        if (solid.inverse) {
-            is_before = !is_before;
-            is_after = !is_after;
-        }
+            only(touches, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
         const std::size_t word = std::size_t(solid.place / 64);
         const U bit(1ull << (solid.place % 64));
-        batch.before.word[word] = batch.before.word[word] | only(is_before, bit);
-        batch.after.word[word] = batch.after.word[word] | only(is_after, bit);
+        batch.before.word[word] = batch.before.word[word] ^ only(passed, bit);
+        batch.after.word[word] = batch.after.word[word] ^ only(reached, bit);
         if (solid.rank < 0) {
-            batch.surface = select(once, F(double(i)), batch.surface);
-            batch.surface_face = select(once, face, batch.surface_face);
+            batch.surface = select(touches, F(double(i)), batch.surface);
+            batch.surface_face = select(touches, face, batch.surface_face);
             continue;
         }
         // Solids stand in the order of their ranks.
+        const M is_before = shares(batch.before.word[word], bit),
+                is_after = shares(batch.after.word[word], bit);
         before.cover(is_before, solid.rank, program_);
         after.cover(is_after, solid.rank, program_);
         if (has_faces(solid.kind)) {
@@ -167,84 +185,26 @@ inline void Kernel::make_lists(Batch& batch) {
             after.face = select(is_after, face, after.face);
         }
     }
-    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
+    if (!program_.groups.empty()) {
+        cover_by_small_spheres(batch.before, before);
+        cover_by_small_spheres(batch.after, after);
+    }
     batch.unsure = batch.unsure | (batch.met & torn);
     batch.before_top = before;
     batch.after_top = after;
-    batch.owner_index = U(most_solids);  // no ball
-    const F owner = max(before.rank, after.rank);
-    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
-        if (is_plain_ball(program_.solids[i]))
-            batch.owner_index =
-                select(owner == F(double(program_.solids[i].rank)), U(i), batch.owner_index);
-    }
+    name_owner(batch);
 }
 
-/// The same for small spheres, lane by lane.
-HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
-                                           Top& after) {
-    batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres == 0) return;
-    const Doubles at(batch.t), margin(reach), largest(batch.rays.largest), pivots(pivot);
-    std::uint32_t doubtful = 0, covered_before = 0, covered_after = 0;
-    Doubles rank_before(before.rank), rank_after(after.rank), skipped(batch.false_crossings);
-    Words list_before[list_words], list_after[list_words], contacts_after(U(0));
-    for (int w = 0; w < program_.words; ++w) {
-        list_before[w] = Words(batch.before.word[w]);
-        list_after[w] = Words(batch.after.word[w]);
+/// Whose surface the event is.
+HWY_INLINE void Kernel::name_owner(Batch& batch) const {
+    batch.owner_index = U(is_small_sphere);
+    const F owner = max(batch.before_top.rank, batch.after_top.rank);
+    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
+        const Solid& solid = program_.solids[i];
+        const M here =
+            solid.rank >= 0 ? owner == F(double(solid.rank)) : batch.surface == F(double(i));
+        batch.owner_index = select(here, U(i), batch.owner_index);
     }
-    for_each(batch.near_spheres, [&](std::size_t lane) {
-        const SphereStretches& list = batch.spheres[lane];
-        int contacts = 0;
-        for (int k = 0; k < list.size; ++k) {
-            const SphereStretch& stretch = list.at[k];
-            const double tolerance =
-                std::max(program_.tolerance_units * unit_roundoff *
-                             (largest[lane] + at[lane] +
-                              std::max(pivots[lane], magnitudes_[std::size_t(stretch.rank)])),
-                         program_.contact_tolerance);
-            const double low = at[lane] - tolerance, high = at[lane] + tolerance;
-            const bool entered = stretch.in < low, entered_after = stretch.in <= high;
-            const bool left = stretch.out < low, left_after = stretch.out <= high;
-            const bool enters = entered != entered_after, leaves = left != left_after;
-            if (enters != (std::abs(stretch.in - at[lane]) <= margin[lane]) ||
-                leaves != (std::abs(stretch.out - at[lane]) <= margin[lane]))
-                doubtful |= 1u << lane;
-            const std::size_t word = std::size_t(stretch.rank / 64);
-            const std::uint64_t bit = 1ull << (stretch.rank % 64);
-            if (entered && !left) {
-                list_before[word][lane] |= bit;
-                if (rank_before[lane] < stretch.rank) {
-                    rank_before[lane] = stretch.rank;
-                    covered_before |= 1u << lane;
-                }
-            }
-            if (entered_after && !left_after) {
-                list_after[word][lane] |= bit;
-                if (rank_after[lane] < stretch.rank) {
-                    rank_after[lane] = stretch.rank;
-                    covered_after |= 1u << lane;
-                }
-            }
-            if (enters != leaves) {
-                if (contacts == 2) {
-                    doubtful |= 1u << lane;
-                } else {
-                    contacts_after[lane] |= std::uint64_t(stretch.rank + 1) << (32 * contacts++);
-                }
-            }
-            skipped[lane] += (entered && stretch.in > -infinity) + left;
-        }
-    });
-    if (doubtful != 0) torn = torn | mask_of(doubtful);
-    batch.sphere_contacts_after = load(contacts_after.at);
-    batch.false_crossings = load(skipped.at);
-    for (int w = 0; w < program_.words; ++w) {
-        batch.before.word[w] = load(list_before[w].at);
-        batch.after.word[w] = load(list_after[w].at);
-    }
-    before.cover(covered_before, rank_before, program_);
-    after.cover(covered_after, rank_after, program_);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -1,5 +1,4 @@
-// First stage of a step: where each solid's stretches of the rays lie, and the nearest true
-// crossing.
+// Where each solid's whole stretches of the rays lie, for steps with a ray that needs them all.
 
 #if defined(MENISCUS_LANES_MEET) == defined(HWY_TARGET_TOGGLE)
 #ifdef MENISCUS_LANES_MEET
@@ -15,17 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// Where each solid's stretches of the rays lie, and the nearest crossing that is true.
-inline void Kernel::find_stretches(Batch& batch) {
-    batch.nearest.t = batch.nearest.end = batch.first = batch.second = F(infinity);
-    batch.nearest.id = batch.nearest.face = F(0.0);
-    batch.unsure = no_lanes();
-    batch.near_spheres = 0;
+void Kernel::find_stretches(Batch& batch) {
+    clear_findings(batch);
     // What is costly is asked last, when it is known how near a crossing must be.
     for (const int i : program_.cheap_first) {
-        const Solid& solid = program_.solids[std::size_t(i)];
-        if (is_plain_ball(solid)) {
-            meet_ball(batch, std::size_t(i));
-        } else if (is_plain_floor(solid)) {
+        if (is_plain_floor(program_.solids[std::size_t(i)])) {
             meet_floor(batch, std::size_t(i));
         } else {
             meet(batch, std::size_t(i));
@@ -35,8 +28,8 @@ inline void Kernel::find_stretches(Batch& batch) {
     for (const int i : program_.foreign) meet(batch, std::size_t(i));
 }
 
-/// What solid `i` has to say about the rays.
-HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
+/// What solid `i` has to say about the rays: its stretches; whether there are any.
+inline bool Kernel::ask(Batch& batch, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const std::size_t word = std::size_t(solid.place / 64);
@@ -58,7 +51,7 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
             batch.is_near[i] = false;
             for (std::size_t slot = first; slot < end; ++slot)
                 stretches[slot].in = stretches[slot].out = F(infinity);
-            return;
+            return false;
         }
         unmet = !near;
     }
@@ -114,11 +107,16 @@ HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
     M near = stretches[first].in < F(infinity);
     if (end > first + 1) near = near | (stretches[first + 1].in < F(infinity));
     batch.is_near[i] = any(near);
-    if (!batch.is_near[i]) return;
+    return batch.is_near[i];
+}
 
-    const M hidden = is_member ? hidden_from(batch, solid) : no_lanes();
-    for (std::size_t slot = first; slot < end; ++slot)
-        offer(batch, solid, i, stretches[slot], hidden);
+/// Solid `i`, by its whole stretches.
+HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
+    if (!ask(batch, i)) return;
+    const Solid& solid = program_.solids[i];
+    const M hidden = solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes();
+    for (std::size_t slot = 2 * i; slot < 2 * i + (has_two_stretches(solid.kind) ? 2 : 1); ++slot)
+        offer(batch, i, batch.stretches[slot], hidden);
 }
 
 /// To enter and to leave are true crossings where nothing stronger is around.
@@ -129,23 +127,8 @@ HWY_INLINE M Kernel::hidden_from(const Batch& batch, const Solid& solid) const {
     return hidden;
 }
 
-/// The same for the most frequent solid: a sphere that stands in the list, is where it was made and
-/// that all rays see.
-HWY_INLINE void Kernel::meet_ball(Batch& batch, std::size_t i) {
-    const Rays& rays = batch.rays;
-    const Solid& solid = program_.solids[i];
-    const M listed = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
-    const M has_contact = shares(rays.contacts, U(15ull << (4 * i)));
-    const Span span = ball_span(solid, rays.world, has_contact);
-    const Stretch stretch = resolve(program_, solid, rays, span, listed, has_contact, batch.unsure);
-    batch.is_near[i] = any(stretch.in < F(infinity));
-    batch.stretches[2 * i].in = stretch.in;
-    batch.stretches[2 * i].out = stretch.out;
-    if (batch.is_near[i]) offer(batch, solid, i, stretch, hidden_from(batch, solid));
-}
-
-/// And for half-spaces that stand in no list: no chord of theirs is thin, and where a ray was not
-/// born on them its place tells on which side it is.
+/// Half-spaces that stand in no list: no chord of theirs is thin, and where a ray was not born on
+/// them its place tells on which side it is.
 HWY_INLINE void Kernel::meet_floor(Batch& batch, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
@@ -160,28 +143,15 @@ HWY_INLINE void Kernel::meet_floor(Batch& batch, std::size_t i) {
     stretch.in = select(inside, F(-infinity), select(slope < F(0.0), t, F(infinity)));
     stretch.out = select(inside & (F(0.0) < slope), t, F(infinity));
     batch.is_near[i] = any(stretch.in < F(infinity));
-    if (batch.is_near[i]) offer(batch, solid, i, stretch, no_lanes());
+    if (batch.is_near[i]) offer(batch, i, stretch, no_lanes());
 }
 
 /// Where a ray comes to a stretch, or to the end of the one that it starts in.
-HWY_INLINE void Kernel::offer(Batch& batch, const Solid& solid, std::size_t i,
-                              const Stretch& stretch, M hidden) {
-    const M leaves = stretch.in == F(-infinity);
-    const F t = select(leaves, stretch.out, stretch.in);
-    batch.second = min(batch.second, max(batch.first, t));
-    batch.first = min(batch.first, t);
-    Crossing& nearest = batch.nearest;
-    const M nearer = solid.rank >= 0 ? but_not(t < nearest.t, hidden) : t < nearest.t;
-    const double id = double(i + 1);
-    nearest.t = select(nearer, t, nearest.t);
-    nearest.id = select(nearer, select(leaves, F(-id), F(id)), nearest.id);
-    if (program_.has_faces) {
-        const F face =
-            has_faces(solid.kind) ? select(leaves, stretch.face_out, stretch.face_in) : F(0.0);
-        nearest.face = select(nearer, face, nearest.face);
-    }
-    if (program_.needs_ends)
-        nearest.end = select(nearer, select(leaves, F(infinity), stretch.out), nearest.end);
+HWY_INLINE void Kernel::offer(Batch& batch, std::size_t i, const Stretch& stretch, M hidden) {
+    const F t = select(stretch.in == F(-infinity), stretch.out, stretch.in);
+    const M nearer = but_not(t < batch.nearest.t, hidden);
+    batch.nearest.t = select(nearer, t, batch.nearest.t);
+    batch.nearest.index = select(nearer, U(i), batch.nearest.index);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

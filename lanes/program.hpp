@@ -75,13 +75,18 @@ struct Solid {
     geom::Vec3 axis{0.0};             // cylinder: unit vector from base to cap
     double length = 0.0;              // cylinder
     std::vector<Piece> pieces;        // lathe, about its y axis
+    bool is_stepped = false;          // lathe: all pieces are rings or cylinders
     double height = 0.0, size = 0.0;  // lathe: halfway up; of its profile
 };
 
-/// A sphere that stands in the list, in the world's frame, that all rays see.
+/// A solid that stands in the list, that all rays see.
+inline bool is_plain(const Solid& solid) {
+    return solid.rank >= 0 && !solid.inverse && solid.to_camera && solid.to_mirrors &&
+           solid.to_lights;
+}
+/// A sphere of that kind in the world's frame.
 inline bool is_plain_ball(const Solid& solid) {
-    return solid.kind == Kind::sphere && solid.rank >= 0 && !solid.placed && !solid.inverse &&
-           solid.to_camera && solid.to_mirrors && solid.to_lights;
+    return solid.kind == Kind::sphere && !solid.placed && is_plain(solid);
 }
 
 /// A half-space that stands in no list, in the world's frame, that all rays see.
@@ -157,13 +162,12 @@ struct Program {
     bool grey = false;       // only rays to lights have colours: a ray's light is its weight
     int words = list_words;  // of the list
     std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
+    std::vector<int> cornered;              // all but plain balls
     bool has_surfaces = true;               // solids that stand in no list
     bool has_inverse = true;                // complements
     bool has_faces = true;                  // solids of more than one face
-    // Whether a stretch may be short against the coarse bound for coincidence and yet be sure.
-    bool needs_ends = true;
-    bool has_dressed = true;       // members whose skins are not clear
-    bool ior_tells_medium = true;  // media of one index are alike
+    bool has_dressed = true;                // members whose skins are not clear
+    bool ior_tells_medium = true;           // media of one index are alike
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

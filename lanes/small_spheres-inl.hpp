@@ -35,6 +35,33 @@ struct GroupTest {
     }
 };
 
+/// One ray, to be tried against as many spheres at once as a register has numbers.
+struct SingleRay {
+    hn::Vec<DoubleTag> ox, oy, oz, dx, dy, dz;
+
+    /// A bit for each sphere that the ray meets ahead and no farther than `limit`, in rounding.
+    HWY_INLINE std::uint32_t met(const double* x, const double* y, const double* z, const double* r,
+                                 double limit) const {
+        const auto ex = hn::Sub(ox, hn::LoadU(doubles, x)), ey = hn::Sub(oy, hn::LoadU(doubles, y)),
+                   ez = hn::Sub(oz, hn::LoadU(doubles, z));
+        const auto along = hn::Add(hn::Add(hn::Mul(ex, dx), hn::Mul(ey, dy)), hn::Mul(ez, dz));
+        const auto fx = hn::Sub(ex, hn::Mul(along, dx)), fy = hn::Sub(ey, hn::Mul(along, dy)),
+                   fz = hn::Sub(ez, hn::Mul(along, dz));
+        const auto radius = hn::LoadU(doubles, r);
+        const auto space = hn::Sub(
+            hn::Mul(radius, radius),
+            hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz)));
+        const auto ahead =
+            hn::Or(hn::Lt(along, hn::Zero(doubles)), hn::Lt(hn::Mul(along, along), space));
+        // It comes in at -along - sqrt(space).
+        const auto before = hn::Add(along, hn::Set(doubles, limit));
+        const auto in_time =
+            hn::Or(hn::Lt(hn::Zero(doubles), before), hn::Lt(hn::Mul(before, before), space));
+        return bits(
+            hn::And(hn::And(hn::Lt(hn::Zero(doubles), space), ahead), in_time));
+    }
+};
+
 /// Small spheres are met by few rays each: lane by lane, eight spheres at once. Draws `nearest`
 /// nearer where one of them is a true crossing.
 HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
@@ -60,8 +87,8 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     const std::uint64_t* const sphere_contacts = word(Stack::sphere_contacts);
     const std::uint64_t* inside[list_words];
     for (int w = 0; w < program_.words; ++w) inside[w] = word(Stack::inside + w);
-    Doubles near(batch.nearest.t), first(batch.first), second(batch.second), ends;
-    std::uint32_t doubtful = 0, drawn = 0, all_drawn = 0, leaving = 0;
+    Doubles near(batch.nearest.t), first{F(infinity)}, second(first), ends(first);
+    std::uint32_t doubtful = 0, drawn = 0, all_drawn = 0;
 
     const auto offer = [&](std::size_t lane, int rank, bool is_inside, bool has_contact) {
         const Member& member = program_.members[std::size_t(rank)];
@@ -91,12 +118,10 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         second[lane] = std::min(second[lane], std::max(first[lane], t));
         first[lane] = std::min(first[lane], t);
         if (hidden != 0 || !(t < near[lane])) return;
-        const std::uint32_t bit = 1u << lane;
-        drawn |= bit;
+        drawn |= 1u << lane;
         near[lane] = t;
         ends[lane] = is_inside ? infinity : stretch.out;
         batch.sphere_ranks[lane] = double(rank);
-        leaving = is_inside ? leaving | bit : leaving & ~bit;
     };
     // Those that the list or a contact names, first: no box can hide them.
     for_each(named, [&](std::size_t lane) {
@@ -113,28 +138,18 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
                 offer(lane, rank, false, true);
         }
     });
+    const Doubles margins(rays.margin);
     const auto try_group = [&](const Group& group, std::size_t lane) HWY_ATTR {
-        const auto x = hn::Set(doubles, ox[lane]), y = hn::Set(doubles, oy[lane]),
-                   z = hn::Set(doubles, oz[lane]);
-        const auto u = hn::Set(doubles, dx[lane]), v = hn::Set(doubles, dy[lane]),
-                   w = hn::Set(doubles, dz[lane]);
+        const auto set = [&](const double* numbers)
+                             HWY_ATTR { return hn::Set(doubles, numbers[lane]); };
+        const SingleRay ray{set(ox), set(oy), set(oz), set(dx), set(dy), set(dz)};
+        const double farthest = near[lane] * (1.0 + 1e-6) + margins[lane];
         for (std::size_t part = 0; part < Group::size; part += width) {
-            const auto ex = hn::Sub(x, hn::LoadU(doubles, &group.x[part])),
-                       ey = hn::Sub(y, hn::LoadU(doubles, &group.y[part])),
-                       ez = hn::Sub(z, hn::LoadU(doubles, &group.z[part]));
-            const auto along = hn::Add(hn::Add(hn::Mul(ex, u), hn::Mul(ey, v)), hn::Mul(ez, w));
-            const auto fx = hn::Sub(ex, hn::Mul(along, u)), fy = hn::Sub(ey, hn::Mul(along, v)),
-                       fz = hn::Sub(ez, hn::Mul(along, w));
-            const auto r = hn::LoadU(doubles, &group.r[part]);
-            const auto space = hn::Sub(
-                hn::Mul(r, r), hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz)));
-            const auto ahead =
-                hn::Or(hn::Lt(along, hn::Zero(doubles)), hn::Lt(hn::Mul(along, along), space));
-            std::uint8_t hits[8] = {};
-            hn::StoreMaskBits(doubles, hn::And(hn::Gt(space, hn::Zero(doubles)), ahead), hits);
-            for (std::uint32_t hit = hits[0] & ((1u << width) - 1u); hit; hit &= hit - 1) {
+            std::uint32_t hit = ray.met(&group.x[part], &group.y[part], &group.z[part],
+                                        &group.r[part], farthest);
+            for (; hit; hit &= hit - 1) {
                 const int rank = group.rank[part + std::size_t(__builtin_ctz(hit))];
-                if (rank < 0 || inside[rank / 64][lane] >> (rank % 64) & 1u) continue;
+                if (inside[rank / 64][lane] >> (rank % 64) & 1u) continue;
                 if (int(sphere_contacts[lane] & 0xffffffffu) == rank + 1 ||
                     int(sphere_contacts[lane] >> 32) == rank + 1)
                     continue;
@@ -151,24 +166,22 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
                  [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
         if (drawn) nearest = load(near.at);
     }
-    batch.first = load(first.at);
-    batch.second = load(second.at);
+    batch.sphere_first = load(first.at);
+    batch.second = min(min(batch.second, load(second.at)), max(batch.first, batch.sphere_first));
+    batch.first = min(batch.first, batch.sphere_first);
+    batch.ends = min(batch.ends, load(ends.at));
     if (all_drawn |= drawn; all_drawn != 0) {
         const M which = mask_of(all_drawn);
         batch.nearest.t = nearest;
-        batch.nearest.id =
-            select(which, select(mask_of(leaving), F(-small_sphere_id), F(small_sphere_id)),
-                   batch.nearest.id);
+        batch.nearest.index = select(which, U(is_small_sphere), batch.nearest.index);
         batch.nearest.face = but_not(which, batch.nearest.face);
-        if (program_.needs_ends)
-            batch.nearest.end = select(which, load(ends.at), batch.nearest.end);
     }
     batch.unsure = batch.unsure | mask_of(doubtful);
 }
 
 /// What is told of nearest crossings that are on small spheres.
-HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top& owner, List& bit) const {
-    const M drawn = batch.met & (abs(batch.nearest.id) == F(small_sphere_id));
+HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top* owner, List& bit) const {
+    const M drawn = batch.met & (batch.nearest.index == U(is_small_sphere));
     if (!any(drawn)) return;
     const std::uint32_t which = bits(drawn);
     Words contacts, own[list_words];
@@ -182,13 +195,13 @@ HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top& owner, List& bit
         bit.word[w] = select(drawn, load(own[w].at), bit.word[w]);
     batch.sphere_contacts_after = only(drawn, load(contacts.at));
     batch.contacts = select(drawn, U(0), batch.contacts);
-    owner.cover(which, batch.sphere_ranks, program_);
+    if (owner) owner->cover(which, batch.sphere_ranks, program_);
 }
 
 /// Of the solid whose crossing is nearest.
 HWY_INLINE F Kernel::nearest_magnitude(const Batch& batch) const {
-    Doubles magnitude(look_up(table_.magnitude, index_of(batch.nearest.id)));
-    for_each(batch.near_spheres & bits(abs(batch.nearest.id) == F(small_sphere_id)),
+    Doubles magnitude(look_up(table_.magnitude, batch.nearest.index));
+    for_each(batch.near_spheres & bits(batch.nearest.index == U(is_small_sphere)),
              [&](std::size_t lane) {
                  magnitude[lane] = magnitudes_[std::size_t(batch.sphere_ranks[lane])];
              });
@@ -220,31 +233,28 @@ HWY_INLINE void Kernel::cover_by_small_spheres(const List& list, Top& top) const
 }
 
 /// The lanes whose events small spheres own.
-HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M by_member, Round& round,
+HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M met, Round& round,
                                           F& owner_magnitude) const {
+    const M on_some = met & (batch.owner_index == U(is_small_sphere));
+    if (!any(on_some)) return;
     const Doubles ranks(batch.owner);
     Doubles x, y, z, radius, inverse, magnitude;
-    std::uint32_t here = 0;
-    for_each(batch.near_spheres & bits(by_member), [&](std::size_t lane) {
+    for_each(on_some, [&](std::size_t lane) {
         const int rank = int(ranks[lane]);
         const Member& member = program_.members[std::size_t(rank)];
-        if (!member.in_group) return;
         x[lane] = member.center.x;
         y[lane] = member.center.y;
         z[lane] = member.center.z;
         radius[lane] = member.radius;
         inverse[lane] = member.inverse_radius;
         magnitude[lane] = magnitudes_[std::size_t(rank)];
-        here |= 1u << lane;
     });
-    if (here == 0) return;
-    const M which = mask_of(here);
-    round.which = round.which | which;
-    round.center = select(which, F3{load(x.at), load(y.at), load(z.at)}, round.center);
-    round.radius = select(which, load(radius.at), round.radius);
-    round.inverse_radius = select(which, load(inverse.at), round.inverse_radius);
+    round.which = round.which | on_some;
+    round.center = select(on_some, F3{load(x.at), load(y.at), load(z.at)}, round.center);
+    round.radius = select(on_some, load(radius.at), round.radius);
+    round.inverse_radius = select(on_some, load(inverse.at), round.inverse_radius);
     if (!program_.one_tolerance)
-        owner_magnitude = select(which, load(magnitude.at), owner_magnitude);
+        owner_magnitude = select(on_some, load(magnitude.at), owner_magnitude);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -63,14 +63,20 @@ HWY_INLINE U contact_of(const Rays& rays, int index) {
     return shift_right(rays.contacts, 4 * index) & U(15);
 }
 
-/// The span of a sphere in a frame whose directions have unit length.
-HWY_INLINE Span ball_span(const Solid& solid, const Line& ray, M pinned) {
-    const F3 e = ray.origin - F3(solid.center);
-    const F b = dot(e, ray.direction);
+/// Half the chord of a sphere, in a frame whose directions have unit length; `e` is the way from
+/// its centre to the origin, b its share along the ray.
+HWY_INLINE F ball_half(const Solid& solid, const Line& ray, const F3& e, F b, M pinned) {
     const F3 f = e - b * ray.direction;
     const F discriminant = F(solid.radius * solid.radius) - dot(f, f);
     // A ray born on the sphere meets it there and at twice the middle.
-    const F half = select(pinned, abs(b), sqrt(max(discriminant, F(0.0))));
+    return select(pinned, abs(b), sqrt(max(discriminant, F(0.0))));
+}
+
+/// The span of a sphere in such a frame.
+HWY_INLINE Span ball_span(const Solid& solid, const Line& ray, M pinned) {
+    const F3 e = ray.origin - F3(solid.center);
+    const F b = dot(e, ray.direction);
+    const F half = ball_half(solid, ray, e, b, pinned);
     Span span;
     span.t0 = -b - half;
     span.t1 = half - b;

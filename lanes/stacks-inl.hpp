@@ -59,7 +59,7 @@ inline void Kernel::push(RayStack& stack, const Batch& batch, M which, const Chi
                          const List& list, bool is_shadow) {
     using Stack = RayStack;
     const Packing packing(bits(which));
-    if (packing.count == 0) return;
+    if (packing.count() == 0) return;
     stack.reserve(stack.size() + lanes);
     const std::size_t at = stack.size();
     const auto numbers = [&](Stack::Field field, F x)
@@ -89,7 +89,7 @@ inline void Kernel::push(RayStack& stack, const Batch& batch, M which, const Chi
     if (program_.attenuates) numbers(Stack::way, child.way);
     if (has_key(is_shadow)) words(Stack::key, child.key);
     if (!program_.groups.empty()) words(Stack::sphere_contacts, batch.sphere_contacts_after);
-    stack.resize(at + packing.count);
+    stack.resize(at + packing.count());
 }
 
 inline WaitingRay Kernel::waiting(RayStack& stack, std::size_t at, bool is_shadow) const {

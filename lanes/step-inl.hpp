@@ -8,6 +8,7 @@
 #define MENISCUS_LANES_STEP
 #endif
 
+#include "lanes/approach-inl.hpp"
 #include "lanes/arrive-inl.hpp"
 #include "lanes/dress-inl.hpp"
 #include "lanes/glass-inl.hpp"
@@ -16,6 +17,7 @@
 #include "lanes/paint-inl.hpp"
 #include "lanes/put_on_faces-inl.hpp"
 #include "lanes/stacks-inl.hpp"
+#include "lanes/whole_lists-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
@@ -41,8 +43,12 @@ Counts Kernel::run() {
 void Kernel::step(RayStack& stack, bool is_shadow) {
     Batch batch;
     take(batch, stack, is_shadow);
-    find_stretches(batch);
-    find_event(batch);
+    approach(batch);
+    if (!list_event(batch)) {
+        find_stretches(batch);
+        find_event(batch);
+    }
+    mark_ties(batch);
     if (any(batch.unsure)) hand_over(batch, stack);
     count_event(batch);
     tell_surfaces(batch);

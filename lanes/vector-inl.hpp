@@ -107,26 +107,22 @@ HWY_INLINE M first_lanes(std::size_t n) {
 }
 /// A bit for each lane.
 #if HWY_TARGET == HWY_AVX3
-HWY_INLINE std::uint32_t bits(M x) {
-    return std::uint32_t(x.a.raw) | std::uint32_t(x.b.raw) << width;
-}
+HWY_INLINE std::uint32_t bits(hn::Mask<DoubleTag> x) { return std::uint32_t(x.raw); }
 HWY_INLINE bool any(M x) { return (x.a.raw | x.b.raw) != 0; }
 #elif HWY_TARGET == HWY_AVX2
-HWY_INLINE std::uint32_t bits(M x) {
-    return std::uint32_t(_mm256_movemask_pd(x.a.raw)) | std::uint32_t(_mm256_movemask_pd(x.b.raw))
-                                                            << width;
+HWY_INLINE std::uint32_t bits(hn::Mask<DoubleTag> x) {
+    return std::uint32_t(_mm256_movemask_pd(x.raw));
 }
 HWY_INLINE bool any(M x) { return _mm256_movemask_pd(_mm256_or_pd(x.a.raw, x.b.raw)) != 0; }
 #else
-HWY_INLINE std::uint32_t bits(M x) {
-    std::uint8_t first[8] = {}, second[8] = {};
-    hn::StoreMaskBits(doubles, x.a, first);
-    hn::StoreMaskBits(doubles, x.b, second);
-    constexpr std::uint32_t used = (1u << width) - 1u;
-    return (first[0] & used) | std::uint32_t(second[0] & used) << width;
+HWY_INLINE std::uint32_t bits(hn::Mask<DoubleTag> x) {
+    std::uint8_t stored[8] = {};
+    hn::StoreMaskBits(doubles, x, stored);
+    return stored[0] & ((1u << width) - 1u);
 }
-HWY_INLINE bool any(M x) { return bits(x) != 0; }
+HWY_INLINE bool any(M x) { return (bits(x.a) | bits(x.b)) != 0; }
 #endif
+HWY_INLINE std::uint32_t bits(M x) { return bits(x.a) | bits(x.b) << width; }
 HWY_INLINE std::size_t count(M x) { return std::size_t(__builtin_popcount(bits(x))); }
 
 /// The lanes whose bits are set.
@@ -171,8 +167,6 @@ HWY_INLINE U as_words(F x) { return {hn::BitCast(integers, x.a), hn::BitCast(int
 HWY_INLINE F as_doubles(U x) { return {hn::BitCast(doubles, x.a), hn::BitCast(doubles, x.b)}; }
 /// Whole numbers below 2^52 as doubles.
 HWY_INLINE F to_double(U x) { return as_doubles(x | U(0x4330000000000000ull)) - F(0x1p52); }
-/// From ids (solid index + 1, of either sign): the index, below 16.
-HWY_INLINE U index_of(F id) { return as_words(abs(id) + F(0x1p52 - 1.0)) & U(15); }
 /// table[index] for a table of 16.
 HWY_INLINE F look_up(const double* table, U index) {
 #if HWY_TARGET == HWY_AVX3
@@ -208,65 +202,89 @@ HWY_INLINE hn::Vec<WordTag> multiply(hn::Vec<WordTag> x, hn::Vec<WordTag> y) {
 }
 HWY_INLINE U operator*(U x, U y) { return {multiply(x.a, y.a), multiply(x.b, y.b)}; }
 
-/// Moves the lanes of `m` to the lower end.
+/// Which lanes to store one behind the other; the same for all fields of a ray.
+class Packing {
+public:
+    HWY_INLINE explicit Packing(std::uint32_t lane_bits)
+        : first_(lane_bits & ((1u << width) - 1u)),
+          second_(lane_bits >> width),
+          first_count_(std::size_t(__builtin_popcount(lane_bits & ((1u << width) - 1u)))),
+          count_(std::size_t(__builtin_popcount(lane_bits))) {}
+
+    std::size_t first_count() const { return first_count_; }
+    std::size_t count() const { return count_; }
+    /// The lanes that are chosen, moved to the lower end.
+    HWY_INLINE F operator()(F x) const { return {first_(x.a), second_(x.b)}; }
+    HWY_INLINE U operator()(U x) const { return {first_(x.a), second_(x.b)}; }
+
+private:
 #if HWY_TARGET == HWY_AVX3
-HWY_INLINE hn::Vec<DoubleTag> compress(hn::Vec<DoubleTag> x, std::uint32_t m) {
-    return hn::Vec<DoubleTag>{_mm512_maskz_compress_pd(__mmask8(m), x.raw)};
-}
-HWY_INLINE hn::Vec<WordTag> compress(hn::Vec<WordTag> x, std::uint32_t m) {
-    return hn::Vec<WordTag>{_mm512_maskz_compress_epi64(__mmask8(m), x.raw)};
-}
+    // A permutation for all fields: to compress each of them takes several times as long.
+    struct Half {
+        __m512i order;
+        HWY_INLINE explicit Half(std::uint32_t m)
+            : order(_mm512_maskz_compress_epi64(__mmask8(m),
+                                                _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0))) {}
+        HWY_INLINE hn::Vec<DoubleTag> operator()(hn::Vec<DoubleTag> x) const {
+            return hn::Vec<DoubleTag>{_mm512_permutexvar_pd(order, x.raw)};
+        }
+        HWY_INLINE hn::Vec<WordTag> operator()(hn::Vec<WordTag> x) const {
+            return hn::Vec<WordTag>{_mm512_permutexvar_epi64(order, x.raw)};
+        }
+    };
 #elif HWY_TARGET == HWY_AVX2
-// By a table of permutations: Highway 1.0.3's own is copied to the stack at each call by g++ 12.
-alignas(32) inline constexpr std::uint32_t compress_table[16][8] = {
-    {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7},
-    {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7},
-    {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {6, 7, 0, 1, 2, 3, 4, 5},
-    {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
-    {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
-    {0, 1, 2, 3, 4, 5, 6, 7}};
-HWY_INLINE __m256i permuted(__m256i x, std::uint32_t m) {
-    return _mm256_permutevar8x32_epi32(
-        x, _mm256_load_si256(reinterpret_cast<const __m256i*>(compress_table[m])));
-}
-HWY_INLINE hn::Vec<DoubleTag> compress(hn::Vec<DoubleTag> x, std::uint32_t m) {
-    return hn::Vec<DoubleTag>{_mm256_castsi256_pd(permuted(_mm256_castpd_si256(x.raw), m))};
-}
-HWY_INLINE hn::Vec<WordTag> compress(hn::Vec<WordTag> x, std::uint32_t m) {
-    return hn::Vec<WordTag>{permuted(x.raw, m)};
-}
+    // By a table of permutations: Highway 1.0.3's own is copied to the stack at each call by g++
+    // 12.
+    alignas(32) static constexpr std::uint32_t table[16][8] = {
+        {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7},
+        {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7},
+        {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {6, 7, 0, 1, 2, 3, 4, 5},
+        {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
+        {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
+        {0, 1, 2, 3, 4, 5, 6, 7}};
+    struct Half {
+        __m256i order;
+        HWY_INLINE explicit Half(std::uint32_t m)
+            : order(_mm256_load_si256(reinterpret_cast<const __m256i*>(table[m]))) {}
+        HWY_INLINE hn::Vec<DoubleTag> operator()(hn::Vec<DoubleTag> x) const {
+            return hn::Vec<DoubleTag>{_mm256_castsi256_pd(
+                _mm256_permutevar8x32_epi32(_mm256_castpd_si256(x.raw), order))};
+        }
+        HWY_INLINE hn::Vec<WordTag> operator()(hn::Vec<WordTag> x) const {
+            return hn::Vec<WordTag>{_mm256_permutevar8x32_epi32(x.raw, order)};
+        }
+    };
 #else
-template <class V>
-HWY_INLINE V compress(V x, std::uint32_t m) {
-    using Lane = hn::TFromV<V>;
-    const hn::DFromV<V> tag;
-    HWY_ALIGN Lane from[width], to[width] = {};
-    hn::Store(x, tag, from);
-    for (std::size_t i = 0, n = 0; i < width; ++i) {
-        if (m >> i & 1u) to[n++] = from[i];
-    }
-    return hn::Load(tag, to);
-}
+    struct Half {
+        std::uint32_t lanes;
+        HWY_INLINE explicit Half(std::uint32_t m) : lanes(m) {}
+        template <class V>
+        HWY_INLINE V operator()(V x) const {
+            using Lane = hn::TFromV<V>;
+            const hn::DFromV<V> tag;
+            HWY_ALIGN Lane from[width], to[width] = {};
+            hn::Store(x, tag, from);
+            for (std::size_t i = 0, n = 0; i < width; ++i) {
+                if (lanes >> i & 1u) to[n++] = from[i];
+            }
+            return hn::Load(tag, to);
+        }
+    };
 #endif
 
-/// Which lanes to store one behind the other; the same for all fields of a ray.
-struct Packing {
-    std::uint32_t first, second;
-    std::size_t first_count, count;
-    HWY_INLINE explicit Packing(std::uint32_t lane_bits)
-        : first(lane_bits & ((1u << width) - 1u)),
-          second(lane_bits >> width),
-          first_count(std::size_t(__builtin_popcount(first))),
-          count(first_count + std::size_t(__builtin_popcount(second))) {}
+    Half first_, second_;
+    std::size_t first_count_, count_;
 };
 /// Stores packed lanes; up to `lanes` places are overwritten.
 HWY_INLINE void store(F x, const Packing& packing, double* to) {
-    hn::StoreU(compress(x.a, packing.first), doubles, to);
-    hn::StoreU(compress(x.b, packing.second), doubles, to + packing.first_count);
+    const F packed = packing(x);
+    hn::StoreU(packed.a, doubles, to);
+    hn::StoreU(packed.b, doubles, to + packing.first_count());
 }
 HWY_INLINE void store(U x, const Packing& packing, std::uint64_t* to) {
-    hn::StoreU(compress(x.a, packing.first), integers, to);
-    hn::StoreU(compress(x.b, packing.second), integers, to + packing.first_count);
+    const U packed = packing(x);
+    hn::StoreU(packed.a, integers, to);
+    hn::StoreU(packed.b, integers, to + packing.first_count());
 }
 
 /// Vectors of three.

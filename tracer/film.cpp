@@ -10,21 +10,21 @@ namespace {
 /// One plane of an extra image layer.
 struct Channel {
     std::string_view name;  // "N.X": of layer N
-    double (*value)(const Pixel& pixel);
+    double (*value)(const Pixel& pixel, const FirstHit& hit);
 
     std::string_view layer() const { return name.substr(0, name.find('.')); }
 };
 
 // To add a layer: write its channels here, side by side.
 constexpr auto channels = std::to_array<Channel>({
-    {"N.X", [](const Pixel& pixel) { return pixel.first_hit.normal.x; }},
-    {"N.Y", [](const Pixel& pixel) { return pixel.first_hit.normal.y; }},
-    {"N.Z", [](const Pixel& pixel) { return pixel.first_hit.normal.z; }},
-    {"Variance.Y", [](const Pixel& pixel) { return pixel.squared_error(); }},
-    {"depth.Z", [](const Pixel& pixel) { return pixel.first_hit.distance; }},
-    {"medium.ID", [](const Pixel& pixel) { return double(pixel.first_hit.medium); }},
-    {"object.ID", [](const Pixel& pixel) { return double(pixel.first_hit.object); }},
-    {"samples.N", [](const Pixel& pixel) { return double(pixel.samples); }},
+    {"N.X", [](const Pixel&, const FirstHit& hit) { return hit.normal.x; }},
+    {"N.Y", [](const Pixel&, const FirstHit& hit) { return hit.normal.y; }},
+    {"N.Z", [](const Pixel&, const FirstHit& hit) { return hit.normal.z; }},
+    {"Variance.Y", [](const Pixel& pixel, const FirstHit&) { return pixel.squared_error(); }},
+    {"depth.Z", [](const Pixel&, const FirstHit& hit) { return hit.distance; }},
+    {"medium.ID", [](const Pixel&, const FirstHit& hit) { return double(hit.medium); }},
+    {"object.ID", [](const Pixel&, const FirstHit& hit) { return double(hit.object); }},
+    {"samples.N", [](const Pixel& pixel, const FirstHit&) { return double(pixel.samples); }},
 });
 
 }  // namespace
@@ -54,7 +54,8 @@ Film::Film(const Options& options)
     : full_width_(options.width),
       full_height_(options.height),
       region_(options.region.value_or(Region{0, 0, options.width, options.height})),
-      pixels_(std::size_t(region_.x1 - region_.x0) * std::size_t(region_.y1 - region_.y0)) {}
+      pixels_(std::size_t(region_.x1 - region_.x0) * std::size_t(region_.y1 - region_.y0)),
+      first_hits_(options.layers ? pixels_.size() : 0) {}
 
 std::vector<double> Film::squared_errors() const {
     std::vector<double> result;
@@ -97,7 +98,8 @@ image::Image Film::develop(bool layers) const {
     for (const Channel& channel : channels) {
         image::Layer layer{std::string(channel.name), {}};
         layer.values.reserve(pixels_.size());
-        for (const Pixel& pixel : pixels_) layer.values.push_back(float(channel.value(pixel)));
+        for (std::size_t i = 0; i < pixels_.size(); ++i)
+            layer.values.push_back(float(channel.value(pixels_[i], first_hits_[i])));
         picture.layers.push_back(std::move(layer));
     }
     return picture;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/huge_pages.hpp"
 #include "image/image.hpp"
 #include "scene/color.hpp"
 #include "tracer/options.hpp"
@@ -14,7 +15,6 @@ namespace meniscus::tracer {
 struct Pixel {
     scene::Rgb even{0.0}, odd{0.0};
     double even_weight = 0.0, odd_weight = 0.0;
-    FirstHit first_hit;
     int samples = 0;
     double cost = 0.0;  // of its samples: segments, or leaves of their ray trees
 
@@ -44,6 +44,10 @@ public:
     }
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+    /// Of the pixel's first sample, if layers are asked for.
+    void keep_first_hit(int x, int y, const FirstHit& hit) {
+        if (!first_hits_.empty()) first_hits_[index(x, y)] = hit;
+    }
 
     /// Squared errors of all pixels, each the weighted mean of its 5 x 5 neighbours (itself counts
     /// twice): one pixel's two halves say little, and whoever chose pixels by that alone would
@@ -54,7 +58,8 @@ public:
 private:
     int full_width_, full_height_;
     Region region_;
-    std::vector<Pixel> pixels_;
+    geom::HugeVector<Pixel> pixels_;
+    std::vector<FirstHit> first_hits_;
 };
 
 }  // namespace meniscus::tracer

@@ -98,7 +98,7 @@ void FilmPasses::follow_singly(Worker& worker, const Region& window, const Plan&
                 const geom::Ray ray = camera_ray(scene_.source.camera, sample.x, sample.y,
                                                  options_.width, options_.height);
                 pixel.add(worker.tree.radiance(ray, sample.key), sample.weight);
-                if (pixel.samples == 1) pixel.first_hit = worker.tree.first_hit;
+                if (pixel.samples == 1) film_.keep_first_hit(x, y, worker.tree.first_hit);
             }
             pixel.cost += double(worker.statistics.segments - segments_before);
         }

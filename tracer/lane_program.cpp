@@ -314,10 +314,6 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         std::ranges::any_of(program.solids, [](const auto& solid) { return solid.inverse; });
     program.has_faces = std::ranges::any_of(
         program.solids, [](const auto& solid) { return lanes::has_faces(solid.kind); });
-    program.needs_ends = !program.one_tolerance || scene.contact_tolerance > 0.0 ||
-                         std::ranges::any_of(program.solids, [](const auto& solid) {
-                             return lanes::has_two_stretches(solid.kind);
-                         });
     program.has_dressed =
         std::ranges::any_of(program.members, [](const auto& member) { return !member.clear; });
     program.ior_tells_medium = ior_tells_medium(program);
@@ -325,6 +321,7 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         auto& list =
             lanes::is_foreign(program.solids[i].kind) ? program.foreign : program.cheap_first;
         list.push_back(int(i));
+        if (!lanes::is_plain_ball(program.solids[i])) program.cornered.push_back(int(i));
     }
     std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
         const lanes::Kind kind = program.solids[std::size_t(i)].kind;

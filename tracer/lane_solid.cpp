@@ -61,6 +61,8 @@ lanes::Solid convert(const geom::Lathe& lathe) {
                                 piece.line.c * piece.outward, piece.low.x, piece.high.x,
                                 piece.low.y, piece.high.y});
     }
+    solid.is_stepped = std::ranges::all_of(
+        solid.pieces, [](const auto& piece) { return piece.a == 0.0 || piece.b == 0.0; });
     return solid;
 }
 

@@ -133,10 +133,7 @@ public:
             if (!marked[film().index(x, y)]) return;
             if (sampling.method == 1) return points_.add_grid(x, y, sampling.depth, out);
             // Method 2 begins anew, at its full depth.
-            Pixel& pixel = passes_.film().at(x, y);
-            const FirstHit first_hit = pixel.first_hit;
-            pixel = {};
-            pixel.first_hit = first_hit;
+            passes_.film().at(x, y) = {};
             points_.add_trapezoid(x, y, 1 << (sampling.depth - 1), out);
         });
     }
