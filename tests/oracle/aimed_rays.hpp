@@ -46,6 +46,10 @@ inline constexpr int aims = int(Aim::last) + 1;
 struct AimedRay {
     std::uint64_t segments = 0, leaks = 0;
     double difference = 0.0;  // from the oracle's light, of the largest channel
+    // Of those that differ by more than 1e-6: whether it is the light where nothing but what
+    // coincides is in contact; and whether it lies between the lights, of both kinds, of rays
+    // within 1e-12 of this one, or of trees whose rays each start within 1e-14 of their place.
+    bool is_one_of_two = true, is_explained = true;
 };
 AimedRay follow(const scene::Scene& scene);
 /// The same, and by the oracle.

@@ -30,6 +30,21 @@ TEST_CASE("no ray leaks, at whatever distance from an edge", "[oracle][aimed]") 
     CHECK(segments >= 800);
 }
 
+TEST_CASE("nearer to an edge colours are exact for rays within rounding", "[oracle][aimed]") {
+    const auto aim = Aim(GENERATE(range(0, aims)));
+    AimedScene straight_scene(geom::Vec3{0.0}), turned_scene(turned);
+    for (const double beside : {0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10}) {
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+            for (AimedScene* scene : {&straight_scene, &turned_scene}) {
+                const AimedRay ray = compared(scene->aimed(aim, beside, seed));
+                INFO(name(aim) << ", " << beside << " beside, seed " << seed << ": off by "
+                               << ray.difference);
+                CHECK(ray.is_explained);
+            }
+        }
+    }
+}
+
 TEST_CASE("colours are exact from 1e-5 beside an edge on", "[oracle][aimed]") {
     const auto aim = Aim(GENERATE(range(0, aims)));
     AimedScene straight_scene(geom::Vec3{0.0}), turned_scene(turned);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
@@ -67,6 +68,7 @@ public:
         bool straight_on;
     };
     std::vector<Branch>* record = nullptr;  // where to note each, if anyone wants to know
+    std::function<V(const V& o)> moved;     // where a ray starts in place of o, if it is set
 
     const World<Real>& world() const { return world_; }
 
@@ -87,7 +89,8 @@ public:
     }
 
     /// `level` is that of the segment before.
-    Rgb radiance(const V& o, const V& d, int level, double weight, bool straight_on = false) const {
+    Rgb radiance(V o, const V& d, int level, double weight, bool straight_on = false) const {
+        if (moved) o = moved(o);
         if (level >= limits_.depth) return Rgb{0.0};
         if (record) record->push_back({o, d, level, weight, straight_on});
         if (!straight_on) ++level;
