@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "cli/tracer_options.hpp"
 #include "cli/version.hpp"
 #include "compare/json_report.hpp"
@@ -94,9 +95,14 @@ void leave_out_impossible_models(const BenchOptions& options, bench::Setup& setu
     }
 }
 
+std::vector<std::string> outputs(const BenchOptions& options) {
+    return {options.csv, options.svg, options.report, options.json};
+}
+
 bench::Setup make_setup(const BenchOptions& options, const std::string& scene, bool povray) {
     auto scene_options = options.scene;
     scene_options.scene = scene;
+    scene_options.outputs = outputs(options);
     bench::Setup setup;
     setup.name = scene_options.file_name();
     setup.scene = read_scene(scene_options).scene;
@@ -125,8 +131,7 @@ void check_usage(const BenchOptions& options) {
         throw UsageError("--povray and --no-povray exclude each other");
     if (options.csv == image::standard_stream && options.json == image::standard_stream)
         throw UsageError("--csv and --json cannot both go to standard output");
-    for (const auto* path : {&options.csv, &options.svg, &options.report, &options.json})
-        if (!path->empty()) image::check_writable(*path);
+    check_outputs(outputs(options), {options.scenes.begin(), options.scenes.end()});
 }
 
 void write(const BenchOptions& options, const std::vector<bench::Report>& reports) {
@@ -152,10 +157,14 @@ ExitCode run(const BenchOptions& options) {
     const InterruptGuard interrupt;
     const bool is_quiet =
         options.csv == image::standard_stream || options.json == image::standard_stream;
-    std::vector<bench::Report> reports;
+    // All are read before the first is measured: what is wrong with the last costs no hours.
+    std::vector<bench::Setup> setups;
     for (const auto& scene : options.scenes) {
-        auto setup = make_setup(options, scene, povray);
-        setup.interrupted = &interrupt.flag();
+        setups.push_back(make_setup(options, scene, povray));
+        setups.back().interrupted = &interrupt.flag();
+    }
+    std::vector<bench::Report> reports;
+    for (const auto& setup : setups) {
         auto result = bench::measure(setup);
         const bool is_interrupted = result.is_interrupted;
         reports.push_back(bench::make_report(std::move(result), options.errors));

@@ -20,8 +20,8 @@ struct CheckOptions {
     std::string json;  // a file, or "-"
 };
 
-ExitCode run(const CheckOptions& options) {
-    if (!options.json.empty()) image::check_writable(options.json);
+ExitCode run(CheckOptions options) {
+    options.scene.outputs = {options.json};
     auto interpreted = interpret_scene(options.scene);
     auto findings = from_warnings(interpreted.warnings);
     std::ranges::move(from_unused(interpreted.unused_objects), std::back_inserter(findings));

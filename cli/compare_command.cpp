@@ -61,8 +61,9 @@ ExitCode run_sweep(const CompareOptions& options) {
     return ExitCode::done;
 }
 
-ExitCode run(const CompareOptions& options) {
+ExitCode run(CompareOptions options) {
     check_usage(options);
+    options.scene.outputs = outputs(options);
     if (!options.sweep.empty()) return run_sweep(options);
     auto json = compare::Json::array();
     bool good = true;

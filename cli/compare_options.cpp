@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/exit_code.hpp"
+#include "cli/outputs.hpp"
 #include "cli/shell_words.hpp"
-#include "image/file.hpp"
 #include "image/save.hpp"
 
 namespace meniscus::cli {
@@ -41,6 +41,11 @@ std::string own_command_line(const CompareOptions& options,
     return command_line(words);
 }
 
+std::vector<std::string> outputs(const CompareOptions& options) {
+    return {options.output, options.report, options.json,
+            options.csv,    options.svg,    options.markdown};
+}
+
 void check_usage(const CompareOptions& options) {
     const auto pictures = std::ranges::count_if(options.inputs, is_picture);
     if (pictures > 0 && (pictures != 2 || options.inputs.size() != 2))
@@ -68,9 +73,9 @@ void check_usage(const CompareOptions& options) {
         throw UsageError(
             "--sweep-gap writes --report, --csv, --svg and --markdown; -o, --json and --tolerance "
             "do not go with it");
-    for (const auto* path : {&options.output, &options.report, &options.json, &options.csv,
-                             &options.svg, &options.markdown})
-        if (!path->empty()) image::check_writable(*path);
+    auto inputs = options.inputs;
+    inputs.push_back(options.povray_source);
+    check_outputs(outputs(options), {inputs.begin(), inputs.end()});
 }
 
 }  // namespace meniscus::cli

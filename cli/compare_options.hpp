@@ -23,6 +23,9 @@ struct CompareOptions {
     std::string sweep, csv, svg, markdown;
 };
 
+/// The files that it writes, some of them empty names.
+std::vector<std::string> outputs(const CompareOptions& options);
+
 bool is_picture(const std::string& path);
 
 /// Throws UsageError for words that do not go together, and FileError for what cannot be written.

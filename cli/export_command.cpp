@@ -35,11 +35,9 @@ ExitCode run(const ExportOptions& options) {
     if (model != povray::Model::gap && options.gap)
         throw UsageError("--gap belongs to --model gap");
     const auto output = options.output.empty() ? options.scene.stem() + ".pov" : options.output;
-    std::error_code unknown;  // the output need not exist
-    if (std::filesystem::equivalent(output, options.scene.scene, unknown))
-        throw UsageError("that would write over the scene; give another file by -o");
-    image::check_writable(output);
-    const auto interpreted = read_scene(options.scene);
+    auto scene_options = options.scene;
+    scene_options.outputs = {output};
+    const auto interpreted = read_scene(scene_options);
     const auto exported =
         povray::export_scene(interpreted.scene, {.model = model,
                                                  .gap = options.gap.value_or(0.0),

@@ -52,7 +52,9 @@ ExitCode run(InspectOptions options) {
                                      options.x, options.y, options.tracer.width,
                                      options.tracer.height));
     check_usage(options.model);
-    if (!options.svg.empty()) image::check_writable(options.svg);
+    if (options.json && options.svg == image::standard_stream)
+        throw UsageError("--json and --svg - cannot both go to standard output");
+    options.scene.outputs = {options.svg};
 
     const auto scene =
         tracer::compile(in_model(read_scene(options.scene).scene, options.model, true));

@@ -81,8 +81,7 @@ ExitCode run(RenderOptions options) {
     tracer_options.check_segments = options.strict;
     if (target.path == image::standard_stream && options.json == image::standard_stream)
         throw UsageError("the picture and --json cannot both go to standard output");
-    image::check_writable(target.path);
-    if (!options.json.empty()) image::check_writable(options.json);
+    options.scene.outputs = {target.path, options.json};
 
     Stopwatch stopwatch;
     auto interpreted = read_scene(options.scene);

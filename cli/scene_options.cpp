@@ -10,6 +10,7 @@
 
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/outputs.hpp"
 
 namespace meniscus::cli {
 namespace {
@@ -85,10 +86,12 @@ void add_scene_settings(CLI::App& app, SceneOptions& o) {
 }
 
 lang::Interpreted interpret_scene(const SceneOptions& options) {
+    check_outputs(options.outputs, {options.scene});
     const auto language = language_options(options);
     auto interpreted = options.scene == "-"
                            ? lang::interpret_text("standard input", read_standard_input(), language)
                            : lang::interpret_file(options.scene, language);
+    check_outputs(options.outputs, interpreted.files);
     fmt::print(stderr, "{}", interpreted.messages);
     return interpreted;
 }

@@ -55,8 +55,11 @@ Interpreted interpret(const Options& options, Load load) {
     // below 3.7, POV-Ray corrects nothing unless the scene says how its numbers are meant
     session.scene.settings.raw_output =
         !session.states_gamma && session.version.value_or(3.6) < 3.7;
-    return {std::move(session.scene), session.warnings(), std::move(session.messages),
-            std::move(unused_objects)};
+    return {std::move(session.scene),
+            session.warnings(),
+            std::move(session.messages),
+            std::move(unused_objects),
+            {session.library.files().begin(), session.library.files().end()}};
 }
 
 }  // namespace

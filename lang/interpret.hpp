@@ -17,6 +17,7 @@ struct Interpreted {
     std::vector<Diagnostic> warnings;
     std::string messages;                      // what #debug and its like print
     std::vector<UnusedObject> unused_objects;  // of the scene file itself, not of what it includes
+    std::vector<std::filesystem::path> files;  // that were read, of any kind
 };
 
 /// Reads a scene file and all that it includes. Throws SourceError, and FileError if a file cannot

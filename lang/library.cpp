@@ -73,7 +73,14 @@ std::string read_file(const fs::path& path, std::size_t most_bytes, const Span& 
 
 }  // namespace
 
-std::optional<Library::Found> Library::find(const std::string& name, const fs::path& asking) const {
+std::optional<Library::Found> Library::find(const std::string& name, const fs::path& asking) {
+    auto found = look_for(name, asking);
+    if (found) found_.insert(found->path);
+    return found;
+}
+
+std::optional<Library::Found> Library::look_for(const std::string& name,
+                                                const fs::path& asking) const {
     const fs::path wanted(name);
     if (name.empty()) return std::nullopt;
     if (wanted.is_absolute())
@@ -98,6 +105,7 @@ const ParsedFile& Library::load(const fs::path& path, const Span& asked) {
     const auto& file =
         parse_source(std::make_unique<Source>(path.string(), std::move(text), path.parent_path()));
     by_path_.emplace(path, &file);
+    found_.insert(path);
     return file;
 }
 

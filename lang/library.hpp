@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ public:
     };
     /// Looks beside the file that asks, beside the scene, in the library paths and where POV-Ray
     /// keeps its includes.
-    std::optional<Found> find(const std::string& name, const std::filesystem::path& asking) const;
+    std::optional<Found> find(const std::string& name, const std::filesystem::path& asking);
     void set_scene_folder(std::filesystem::path folder) { scene_folder_ = std::move(folder); }
 
     /// Reads a file; `asked` is where the scene names it. Throws FileError or SourceError.
@@ -41,11 +42,17 @@ public:
     /// A macro's body, parsed when first asked for.
     const ast::Program& body(const Span& span);
 
+    /// All files that were found so far, of any kind.
+    const std::set<std::filesystem::path>& files() const { return found_; }
+
 private:
+    std::optional<Found> look_for(const std::string& name,
+                                  const std::filesystem::path& asking) const;
     const ParsedFile& parse_source(std::unique_ptr<Source> source);
 
     const Options& options_;
     std::filesystem::path scene_folder_;
+    std::set<std::filesystem::path> found_;
     std::map<std::filesystem::path, const ParsedFile*> by_path_;
     std::vector<std::unique_ptr<ParsedFile>> files_;
     std::map<std::pair<const Source*, std::uint32_t>, std::unique_ptr<ast::Program>> bodies_;

@@ -143,13 +143,7 @@ void grow(Lathe& s, Transform& transform, double d) {
 }
 
 void grow(Mesh& s, Transform& transform, double d) {
-    TriangleSoup soup;
-    for (Face face = 0; face < Face(s.triangles->size()); ++face) {
-        const auto first = std::uint32_t(soup.positions.size());
-        for (const Vec3& p : s.triangles->corners(face))
-            soup.positions.push_back(transform.point(p));
-        soup.triangles.push_back({first, first + 1, first + 2});
-    }
+    auto soup = soup_of(*s.triangles, transform);
     transform = Transform{};
     s.triangles = std::make_shared<const TriangleMesh>(offset(TriangleMesh(std::move(soup)), d));
 }

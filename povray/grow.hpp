@@ -19,8 +19,12 @@ scene::Object grown(const scene::Object& object, double distance);
 /// for it.
 geom::Lathe offset(const geom::Lathe& lathe, double distance);
 
-/// Vertices moved along their angle-weighted normals, far enough that no face moves less. Throws
-/// std::invalid_argument where the result would meet itself.
+/// The mesh's triangles under a map, with the normals that they are shaded with.
+geom::TriangleSoup soup_of(const geom::TriangleMesh& mesh, const geom::Transform& transform);
+
+/// Vertices moved along their angle-weighted normals, far enough that no face moves less; they keep
+/// the normals that they are shaded with. Throws std::invalid_argument where the result would meet
+/// itself.
 geom::TriangleSoup offset(const geom::TriangleMesh& mesh, double distance);
 
 }  // namespace meniscus::povray

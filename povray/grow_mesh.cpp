@@ -9,6 +9,7 @@
 namespace meniscus::povray {
 namespace {
 
+using geom::Transform;
 using geom::Vec3;
 
 std::array<double, 3> key(const Vec3& p) { return {p.x, p.y, p.z}; }
@@ -38,6 +39,26 @@ void require_no_meeting(const geom::TriangleMesh& mesh) {
 
 }  // namespace
 
+geom::TriangleSoup soup_of(const geom::TriangleMesh& mesh, const Transform& transform) {
+    constexpr auto none = geom::TriangleSoup::no_normal;
+    geom::TriangleSoup soup;
+    for (geom::Face face = 0; face < geom::Face(mesh.size()); ++face) {
+        const auto first = std::uint32_t(soup.positions.size());
+        const Vec3 flat = mesh.normal(face);
+        bool is_smooth = false;
+        for (const Vec3& p : mesh.corners(face)) {
+            const Vec3 normal = mesh.shading_normal(face, p);
+            is_smooth = is_smooth || glm::length(normal - flat) > 1e-9;
+            soup.positions.push_back(transform.point(p));
+            soup.normals.push_back(transform.normal(normal));
+        }
+        soup.triangles.push_back({first, first + 1, first + 2});
+        soup.corner_normals.push_back(is_smooth ? soup.triangles.back()
+                                                : geom::TriangleIndices{none, none, none});
+    }
+    return soup;
+}
+
 geom::TriangleSoup offset(const geom::TriangleMesh& mesh, double distance) {
     struct Vertex {
         Vec3 normal{0.0};    // angle-weighted
@@ -62,19 +83,16 @@ geom::TriangleSoup offset(const geom::TriangleMesh& mesh, double distance) {
         }
     }
 
-    geom::TriangleSoup soup;
+    geom::TriangleSoup soup = soup_of(mesh, Transform{});
     for (geom::Face face = 0; face < count; ++face) {
-        const auto p = mesh.corners(face);
-        const auto first = std::uint32_t(soup.positions.size());
-        for (const Vec3& corner : p) {
-            const auto& vertex = vertices[key(corner)];
+        Vec3* const p = soup.positions.data() + 3 * std::size_t(face);
+        for (Vec3* corner = p; corner < p + 3; ++corner) {
+            const auto& vertex = vertices[key(*corner)];
             if (!(vertex.least > 0.05)) throw std::invalid_argument("it has too sharp a corner");
-            soup.positions.push_back(corner + distance / vertex.least * vertex.normal);
+            *corner += distance / vertex.least * vertex.normal;
         }
-        const auto* q = soup.positions.data() + first;
-        if (!(glm::dot(glm::cross(q[1] - q[0], q[2] - q[0]), mesh.normal(face)) > 0.0))
+        if (!(glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), mesh.normal(face)) > 0.0))
             throw std::invalid_argument("a triangle of it would turn over");
-        soup.triangles.push_back({first, first + 1, first + 2});
     }
     require_no_meeting(geom::TriangleMesh(soup));
     return soup;

@@ -87,6 +87,13 @@ TEST_CASE("Ctrl-C keeps what was measured", "[bench]") {
     for (const auto& row : benchmark.at("rows")) CHECK(row.at("options") != "--spp 1048576");
 }
 
+TEST_CASE("bench reads all scenes before it measures the first", "[bench]") {
+    const Program program;
+    const auto result = program.run("bench ball.scene wrong.scene --csv b.csv" + std::string(tiny));
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("wrong.scene:1:1") && !Contains("reference"));
+}
+
 TEST_CASE("what bench cannot do gets one clear error", "[bench]") {
     const Program program;
     const auto [arguments, code, words] = GENERATE(table<std::string, int, std::string>({

@@ -146,6 +146,28 @@ TEST_CASE("a mesh's vertices move along the mean of their faces' normals", "[exp
     check_reaches(octahedron, outer, 0.01, 1e-11);
 }
 
+TEST_CASE("a smooth mesh that grows is shaded with the same normals", "[export][grow]") {
+    // Of a regular octahedron they look away from the centre, wherever its corners are; mirrored
+    // and stretched, the inverse of the stretch has them.
+    const std::string octahedron =
+        "mesh2 { vertex_vectors { 6, <1, 0, 0>, <-1, 0, 0>, <0, 1, 0>, <0, -1, 0>, <0, 0, 1>, <0, "
+        "0, -1> } normal_vectors { 6, <1, 0, 0>, <-1, 0, 0>, <0, 1, 0>, <0, -1, 0>, <0, 0, 1>, <0, "
+        "0, -1> }"
+        "face_indices { 8, <0, 2, 4>, <2, 1, 4>, <1, 3, 4>, <3, 0, 4>, <2, 0, 5>, <1, 2, 5>, <3, "
+        "1, 5>, <0, 3, 5> } ";
+    for (const std::string map : {"", "scale <-1, 1, 1>", "scale <1, 2, 1>"}) {
+        CAPTURE(map);
+        const auto outer = povray::grown(object(octahedron + map + " }"), 0.01);
+        const auto& mesh = *std::get<geom::Mesh>(outer.shape).triangles;
+        for (geom::Face face = 0; face < geom::Face(mesh.size()); ++face) {
+            for (const auto& p : mesh.corners(face)) {
+                const auto normal = mesh.shading_normal(face, p);
+                CHECK(glm::length(normal - glm::normalize(p)) < 1e-12);
+            }
+        }
+    }
+}
+
 TEST_CASE("the angles weigh: a face cut in two counts once", "[export][grow]") {
     // A cube whose faces are two triangles each: corners touch three faces by one triangle or by
     // two, at the same angle in all.
