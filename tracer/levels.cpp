@@ -15,7 +15,7 @@ namespace {
 using geom::Vec3;
 
 using Kind = Level::Kind;
-using enum Kind;
+using enum Level::Kind;
 
 struct Levels {
     Vec3 origin;
