@@ -1,5 +1,9 @@
 #include "povray/exactness.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "povray/error.hpp"
 
 namespace meniscus::povray {
@@ -40,6 +44,24 @@ void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
                               "beside dielectrics: POV-Ray takes it for the bound of a solid");
         }
     }
+}
+
+std::vector<std::string> doubts(const tracer::RenderScene& scene, const Plan& plan) {
+    std::vector<std::string> lines;
+    for (const Body& body : plan.bodies) {
+        const auto& solid = scene.source.solids[std::size_t(body.solid)];
+        const bool is_endless = std::ranges::any_of(body.parts, [&](int index) {
+            const tracer::Part& part = scene.parts[std::size_t(index)];
+            return part.inverse || !part.shape.bounds().is_finite();
+        });
+        if (body.is_outside || !is_endless || !solid.interior.attenuates()) continue;
+        lines.push_back(
+            fmt::format("{}:{}: '{}' absorbs and has no end: rays that run in it to the sky keep "
+                        "their light in "
+                        "POV-Ray; let it end, or something opaque stand behind",
+                        solid.location.file, solid.location.line, solid.name));
+    }
+    return lines;
 }
 
 }  // namespace meniscus::povray

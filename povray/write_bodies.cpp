@@ -8,6 +8,7 @@
 #include "povray/grow.hpp"
 #include "povray/plan.hpp"
 #include "povray/region.hpp"
+#include "povray/scale.hpp"
 #include "povray/write_interior.hpp"
 #include "povray/write_shape.hpp"
 #include "povray/write_texture.hpp"
@@ -28,6 +29,7 @@ public:
 
     void write() {
         if (model_ != Model::plain) require_exact(scene_, plan_);
+        warnings_ = doubts(scene_, plan_);
         for (const Body& body : plan_.bodies) {
             cutters_.push_back(body.is_outside
                                    ? std::vector<Cutter>{}
@@ -163,6 +165,24 @@ private:
         return words;
     }
 
+    /// POV-Ray asks for the media at the camera only what has it in its bounds, and those of a
+    /// complement are the shape's: a plane that no ray reaches takes them away.
+    void write_part(const scene::Object& part, std::vector<std::string> skin,
+                    const std::vector<std::string>& words) {
+        const geom::PlacedShape placed(part.shape, part.transform);
+        const auto& camera = scene_.source.camera.location;
+        if (!part.inverse || !placed.bounds().is_finite() || placed.contains(camera)) {
+            skin.insert(skin.end(), words.begin(), words.end());
+            return write_shape(writer_, part, skin);
+        }
+        writer_.open("intersection");
+        writer_.line("plane {{ y, {} }}  // never met: it leaves the complement without bounds",
+                     number(100.0 * farthest));
+        write_shape(writer_, part, skin);
+        for (const auto& word : words) writer_.line("{}", word);
+        writer_.close();
+    }
+
     /// The body's region: its parts, larger by a hair where it reaches into others, minus what is
     /// above.
     void write_region(const Body& body, const std::vector<Cutter>& cutters, bool with_skins,
@@ -175,12 +195,10 @@ private:
         };
         const auto write_parts = [&](const std::vector<std::string>& last) {
             if (parts.size() == 1) {
-                auto lines = child_words(parts.front().texture);
-                lines.insert(lines.end(), last.begin(), last.end());
-                return write_shape(writer_, parts.front(), lines);
+                return write_part(parts.front(), child_words(parts.front().texture), last);
             }
             writer_.open("merge");
-            for (const auto& part : parts) write_shape(writer_, part, child_words(part.texture));
+            for (const auto& part : parts) write_part(part, child_words(part.texture), {});
             for (const auto& line : last) writer_.line("{}", line);
             writer_.close();
         };

@@ -136,6 +136,20 @@ TEST_CASE("a curved wall in common that no export cuts cleanly is warned of", "[
     CHECK_THAT(program.run("export t.scene -o t.pov").err, !Contains("curved outer wall"));
 }
 
+TEST_CASE("media without an end that absorb are warned of", "[export]") {
+    const Program program;
+    const std::string absorbing = "material { ior 1.33 absorption rgb <0, 0.5, 1> } }\n";
+    const std::string shape = GENERATE("plane { y, -0.5 ", "sphere { 0, 3 inverse ");
+    const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
+    program.write("s.scene", head + shape + absorbing);
+    const auto result = program.run("export s.scene -o s.pov --model " + model);
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("s.scene:2: ") && Contains("absorbs and has no end"));
+    program.write("t.scene", head + "sphere { 0, 3 " + absorbing);
+    CHECK_THAT(program.run("export t.scene -o t.pov --model " + model).err, !Contains("no end"));
+}
+
 TEST_CASE("what is nowhere to be seen is not exported", "[export]") {
     const Program program;
     program.write("s.scene", head +
