@@ -14,43 +14,39 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-HWY_INLINE void Kernel::clear_findings(Batch& batch) const {
-    batch.nearest.t = batch.first = batch.second = batch.ends = F(infinity);
-    batch.sphere_first = F(infinity);
-    batch.nearest.face = F(0.0);
-    batch.nearest.index = U(0);
-    batch.unsure = batch.doubt = no_lanes();
-    batch.near_spheres = 0;
-}
-
 /// The next crossing with each solid. Lanes for which that is not enough are marked `doubt`.
-inline void Kernel::approach(Batch& batch) {
-    clear_findings(batch);
+HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
+    batch.unsure = no_lanes();
+    batch.near_spheres = 0;
+    for (const int i : program_.balls) approach_ball(batch, found, std::size_t(i));
     for (const int i : program_.cheap_first) {
         const Solid& solid = program_.solids[std::size_t(i)];
-        if (is_plain_ball(solid)) {
-            approach_ball(batch, std::size_t(i));
-        } else if (is_plain_floor(solid)) {
-            approach_floor(batch, std::size_t(i));
-        } else if (!is_plain(solid)) {
-            approach_any(batch, std::size_t(i));
-        } else if (solid.kind == Kind::cylinder && !solid.placed) {
-            approach_cylinder(batch, std::size_t(i));
-        } else if (solid.kind == Kind::box) {
-            approach_box(batch, std::size_t(i));
-        } else if (solid.kind == Kind::lathe && solid.is_stepped) {
-            approach_lathe(batch, std::size_t(i));
-        } else {
-            approach_any(batch, std::size_t(i));
+        switch (solid.way) {
+            case Way::ball:
+                break;
+            case Way::floor:
+                approach_floor(batch, found, std::size_t(i));
+                break;
+            case Way::cylinder:
+                approach_cylinder(batch, found, std::size_t(i));
+                break;
+            case Way::box:
+                approach_box(batch, found, std::size_t(i));
+                break;
+            case Way::stepped_lathe:
+                approach_lathe(batch, found, std::size_t(i));
+                break;
+            case Way::any:
+                approach_any(batch, found, std::size_t(i));
         }
     }
-    if (!program_.groups.empty()) find_small_spheres(batch);
-    for (const int i : program_.foreign) approach_any(batch, std::size_t(i));
+    if (!program_.groups.empty()) find_small_spheres(batch, found);
+    for (const int i : program_.foreign) approach_any(batch, found, std::size_t(i));
 }
 
 /// The most frequent solid: a sphere that stands in the list, is where it was made and that all
 /// rays see.
-HWY_INLINE void Kernel::approach_ball(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_ball(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const M inside = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
@@ -62,15 +58,15 @@ HWY_INLINE void Kernel::approach_ball(Batch& batch, std::size_t i) {
     // The chord is at least so long.
     const F chord = min(half, t1);
     const M enters = but_not(F(0.0) < chord, inside);
-    batch.doubt = batch.doubt | (enters & (chord < rays.thin + F(solid.thin)));
-    batch.ends = min(batch.ends, select(enters, t1, F(infinity)));
+    found.doubt = found.doubt | (enters & (chord < rays.thin() + F(solid.thin)));
+    found.ends = min(found.ends, select(enters, t1, F(infinity)));
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
-    come_to(batch, solid, i, t, F(0.0), hidden_from(batch, solid));
+    come_to(batch, found, solid, i, t, F(0.0), hidden_from(batch, solid));
 }
 
 /// Half-spaces that stand in no list: where a ray was not born on them its place tells on which
 /// side it is.
-HWY_INLINE void Kernel::approach_floor(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_floor(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     U& word = batch.inside.word[solid.place / 64];
@@ -83,22 +79,22 @@ HWY_INLINE void Kernel::approach_floor(Batch& batch, std::size_t i) {
     word = but_not(word, bit) | only(inside, bit);
     const M crosses = select_mask(inside, F(0.0) < slope, slope < F(0.0));
     const F t = select(crosses, max(but_not(has_contact, depth / slope), F(0.0)), F(infinity));
-    come_to(batch, solid, i, t, F(0.0), no_lanes());
+    come_to(batch, found, solid, i, t, F(0.0), no_lanes());
 }
 
 /// What a convex solid's span means to rays, of which some start `inside`.
-HWY_INLINE void Kernel::come_to_span(Batch& batch, const Solid& solid, std::size_t i, M inside,
-                                     F t0, F t1, M exists, F face) {
+HWY_INLINE void Kernel::come_to_span(Batch& batch, Findings& found, const Solid& solid,
+                                     std::size_t i, M inside, F t0, F t1, M exists, F face) {
     const F chord = min(t1 - t0, t1);
     const M enters = but_not(exists & (F(0.0) < chord), inside);
-    batch.doubt = batch.doubt | (enters & (chord < batch.rays.thin + F(solid.thin)));
-    batch.ends = min(batch.ends, select(enters, t1, F(infinity)));
+    found.doubt = found.doubt | (enters & (chord < batch.rays.thin() + F(solid.thin)));
+    found.ends = min(found.ends, select(enters, t1, F(infinity)));
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
-    come_to(batch, solid, i, t, face, hidden_from(batch, solid));
+    come_to(batch, found, solid, i, t, face, hidden_from(batch, solid));
 }
 
 /// Cylinders that stand in the list and that all rays see, where they were made.
-HWY_INLINE void Kernel::approach_cylinder(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_cylinder(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const M inside = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
@@ -136,21 +132,22 @@ HWY_INLINE void Kernel::approach_cylinder(Batch& batch, std::size_t i) {
     const M upwards = F(0.0) < along_d;
     const F near = select(upwards, at_base, at_cap), far = select(upwards, at_cap, at_base);
     // Next to an axis' direction and across it the general way decides.
-    batch.doubt = batch.doubt | (along_d == F(0.0)) | (dd < F(1e-30));
+    found.doubt = found.doubt | (along_d == F(0.0)) | (dd < F(1e-30));
     const F t0 = max(near, low), t1 = min(far, high);
     const M is_flat = select_mask(inside, far <= high, low <= near);
     const F face = only(is_flat, select(inside ^ upwards, F(1.0), F(2.0)));
-    come_to_span(batch, solid, i, inside, t0, t1, (F(0.0) < half) & (t0 < t1), face);
+    come_to_span(batch, found, solid, i, inside, t0, t1, (F(0.0) < half) & (t0 < t1), face);
 }
 
 /// Boxes, in whatever frame, that stand in the list and that all rays see.
-HWY_INLINE void Kernel::approach_box(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_box(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const M inside = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
     const U contact = rays.contacts & U(15ull << (4 * i));
-    const M near = rays.active & (inside | !(contact == U(0)) |
-                                  meet_sphere(rays, solid.middle, solid.reach, batch.nearest.t));
+    const M near =
+        rays.active & (inside | !(contact == U(0)) |
+                       meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
     if (!any(near)) {
         batch.crossing[i] = F(infinity);
         return;
@@ -176,17 +173,19 @@ HWY_INLINE void Kernel::approach_box(Batch& batch, std::size_t i) {
         t0 = max(t0, in);
         t1 = min(t1, out);
     }
-    batch.doubt = batch.doubt | (near & doubt);
-    come_to_span(batch, solid, i, inside, t0, t1, near & (t0 < t1), face);
+    found.doubt = found.doubt | (near & doubt);
+    come_to_span(batch, found, solid, i, inside, t0, t1, near & (t0 < t1), face);
 }
 
 /// Lathes of rings and cylinders that stand in the list and that all rays see.
-HWY_INLINE void Kernel::approach_lathe(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const M inside = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
-    const M near = rays.active & (inside | shares(rays.contacts, U(15ull << (4 * i))) |
-                                  meet_sphere(rays, solid.middle, solid.reach, batch.nearest.t));
+    M near = rays.active;
+    if (!solid.is_large)
+        near = near & (inside | shares(rays.contacts, U(15ull << (4 * i))) |
+                       meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
     if (!any(near)) {
         batch.crossing[i] = F(infinity);
         return;
@@ -194,16 +193,16 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, std::size_t i) {
     const NextCrossings next = next_crossings(program_, solid, rays);
     const F t = select(inside, next.leave, next.enter),
             end = select(inside, next.enter, next.leave);
-    batch.doubt = batch.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));
-    batch.ends = min(batch.ends, select(near, end, F(infinity)));
-    come_to(batch, solid, i, select(near, t, F(infinity)),
+    found.doubt = found.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));
+    found.ends = min(found.ends, select(near, end, F(infinity)));
+    come_to(batch, found, solid, i, select(near, t, F(infinity)),
             select(inside, next.leave_face, next.enter_face), hidden_from(batch, solid));
 }
 
 /// Any other solid, by its stretches.
-HWY_INLINE void Kernel::approach_any(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t i) {
     const Solid& solid = program_.solids[i];
-    const bool is_near = ask(batch, i);
+    const bool is_near = ask(batch, found.nearest.t, i);
     const Stretch& one = batch.stretches[2 * i];
     if (solid.rank < 0) {
         U& word = batch.inside.word[solid.place / 64];
@@ -232,18 +231,19 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, std::size_t i) {
         end = min(min(end, other_end), max(t, other));
         t = min(t, other);
     }
-    batch.ends = min(batch.ends, end);
+    found.ends = min(found.ends, end);
     if (!has_faces(solid.kind)) face = F(0.0);
-    come_to(batch, solid, i, t, face, solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes());
+    come_to(batch, found, solid, i, t, face,
+            solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes());
 }
 
 /// Where a ray next crosses solid `i`.
-HWY_INLINE void Kernel::come_to(Batch& batch, const Solid& solid, std::size_t i, F t, F face,
-                                M hidden) {
+HWY_INLINE void Kernel::come_to(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
+                                F t, F face, M hidden) {
     batch.crossing[i] = t;
-    batch.second = min(batch.second, max(batch.first, t));
-    batch.first = min(batch.first, t);
-    Crossing& nearest = batch.nearest;
+    found.second = min(found.second, max(found.first, t));
+    found.first = min(found.first, t);
+    Crossing& nearest = found.nearest;
     const M nearer = but_not(t < nearest.t, hidden);
     nearest.t = select(nearer, t, nearest.t);
     nearest.index = select(nearer, U(i), nearest.index);

@@ -16,12 +16,13 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 HWY_INLINE void Kernel::attenuate(Batch& batch) {
     M which = batch.glass | batch.dressed | batch.painted;
     if (batch.is_shadow) which = which | but_not(batch.rays.active, batch.met);
-    which = which & batch.before_top.attenuates;
+    which = which & batch.medium_before.attenuates;
     if (!any(which)) return;
     Doubles red(batch.throughput.x), green(batch.throughput.y), blue(batch.throughput.z);
-    const Doubles way(batch.way_before + batch.t), rank(batch.before_top.rank);
+    const Doubles way(batch.way_before + batch.t);
+    const ListWords before(batch.before, program_);
     for_each(which, [&](std::size_t lane) {
-        const geom::Vec3 share = host_.transmittance(int(rank[lane]), way[lane], batch.is_shadow);
+        const geom::Vec3 share = host_.transmittance(before.top(lane), way[lane], batch.is_shadow);
         red[lane] *= share.x;
         green[lane] *= share.y;
         blue[lane] *= share.z;
@@ -43,21 +44,29 @@ HWY_INLINE void Kernel::add_light(M which, U code, const F3& light) {
     });
 }
 
+/// Whether a list has a member.
+HWY_INLINE M Kernel::is_in_some(const List& list) const {
+    M some = no_lanes();
+    for (int w = 0; w < program_.words; ++w)
+        some = some | shares(list.word[w], U(program_.member_bits[std::size_t(w)]));
+    return some;
+}
+
 /// Light of the sky, and of lamps that nothing hides.
 HWY_INLINE void Kernel::arrive(const Batch& batch, M gone) {
-    const F3& light = batch.throughput;
+    const F3 light = throughput_of(batch);
     if (batch.is_shadow) return add_light(gone, batch.code, light);
-    const M plain = program_.constant_sky ? gone & (batch.before_top.rank < F(0.0)) : no_lanes();
+    const M plain = program_.constant_sky ? but_not(gone, is_in_some(batch.before)) : no_lanes();
     const F3 sky(program_.sky);
     add_light(plain, batch.code, {light.x * sky.x, light.y * sky.y, light.z * sky.z});
     const M other = but_not(gone, plain);
     if (!any(other)) return;
     const Doubles dx(batch.rays.world.direction.x), dy(batch.rays.world.direction.y),
-        dz(batch.rays.world.direction.z), rank(batch.before_top.rank), r(light.x), g(light.y),
-        b(light.z);
+        dz(batch.rays.world.direction.z), r(light.x), g(light.y), b(light.z);
     const Words codes(batch.code);
+    const ListWords before(batch.before, program_);
     for_each(other, [&](std::size_t lane) {
-        const geom::Vec3 seen = host_.sky({dx[lane], dy[lane], dz[lane]}, int(rank[lane]));
+        const geom::Vec3 seen = host_.sky({dx[lane], dy[lane], dz[lane]}, before.top(lane));
         add_light(codes[lane], {r[lane] * seen.x, g[lane] * seen.y, b[lane] * seen.z});
     });
 }

@@ -60,6 +60,24 @@ struct List {
     U word[list_words];  // as many as the program has
 };
 
+/// The same, lane by lane.
+struct ListWords {
+    Words word[list_words];
+    const Program& program;
+
+    HWY_INLINE ListWords(const List& list, const Program& of) : program(of) {
+        for (int w = 0; w < program.words; ++w) word[w] = Words(list.word[w]);
+    }
+    /// The strongest member's rank, or `no_rank`.
+    int top(std::size_t lane) const {
+        for (int w = program.words - 1; w >= 0; --w) {
+            const std::uint64_t members = word[w][lane] & program.member_bits[std::size_t(w)];
+            if (members != 0) return 64 * w + 63 - __builtin_clzll(members);
+        }
+        return no_rank;
+    }
+};
+
 /// A stretch of one lane's ray inside a small sphere.
 struct SphereStretch {
     double in, out;
@@ -71,51 +89,89 @@ struct SphereStretches {
     int size;
 };
 
-/// The solid on top of each ray's list, and what it is made of, so far as the program asks.
-struct Top {
-    F rank;  // `no_rank`: outside of all
+/// What each ray is in, so far as the program asks.
+struct Medium {
     F ior, medium;
-    F face;  // of its crossing in the event, if it has one
     M dressed, attenuates;
 
-    Top() = default;
-    HWY_INLINE explicit Top(const Member& outside)
-        : rank(double(no_rank)),
-          ior(outside.ior),
+    Medium() = default;
+    HWY_INLINE explicit Medium(const Member& outside)
+        : ior(outside.ior),
           medium(double(outside.medium)),
-          face(0.0),
           dressed(no_lanes()),
           attenuates(outside.attenuates ? !no_lanes() : no_lanes()) {}
 
-    /// Where `which`, the solid at `solid_rank` is on top of those so far.
-    HWY_INLINE void cover(M which, int solid_rank, const Program& program) {
-        const Member& member = program.members[std::size_t(solid_rank)];
-        rank = select(which, F(double(solid_rank)), rank);
+    /// Where `which`, the rays are in the member.
+    HWY_INLINE void become(M which, const Member& member, const Program& program) {
         ior = select(which, F(member.ior), ior);
         if (!program.ior_tells_medium) medium = select(which, F(double(member.medium)), medium);
         if (program.has_dressed) dressed = member.clear ? but_not(dressed, which) : dressed | which;
         if (program.attenuates)
             attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
     }
-    /// Where the members at `ranks`, of the lanes `which`, are.
-    HWY_INLINE void cover(std::uint32_t which, const Doubles& ranks, const Program& program) {
+    /// Where `which`, they are in those at `ranks`.
+    HWY_INLINE void become(std::uint32_t which, const Doubles& ranks, const Program& program) {
         if (which == 0) return;
-        Doubles at(rank), iors(ior), media(medium);
+        Doubles iors(ior), media(medium);
         std::uint32_t are_dressed = bits(dressed), attenuate = bits(attenuates);
         for_each(which, [&](std::size_t lane) {
             const Member& member = program.members[std::size_t(ranks[lane])];
-            at[lane] = ranks[lane];
             iors[lane] = member.ior;
             media[lane] = double(member.medium);
             const std::uint32_t bit = 1u << lane;
             are_dressed = member.clear ? are_dressed & ~bit : are_dressed | bit;
             attenuate = member.attenuates ? attenuate | bit : attenuate & ~bit;
         });
-        rank = load(at.at);
         ior = load(iors.at);
         if (!program.ior_tells_medium) medium = load(media.at);
         if (program.has_dressed) dressed = mask_of(are_dressed);
         if (program.attenuates) attenuates = mask_of(attenuate);
+    }
+};
+
+HWY_INLINE Medium select(M m, const Medium& x, const Medium& y, const Program& program) {
+    Medium result = y;
+    result.ior = select(m, x.ior, y.ior);
+    if (!program.ior_tells_medium) result.medium = select(m, x.medium, y.medium);
+    if (program.has_dressed) result.dressed = select_mask(m, x.dressed, y.dressed);
+    if (program.attenuates) result.attenuates = select_mask(m, x.attenuates, y.attenuates);
+    return result;
+}
+
+/// The solid on top of each ray's list.
+struct Top {
+    Medium medium;
+    F rank;  // `no_rank`: outside of all
+    F face;  // of its crossing in the event, if it has one
+
+    HWY_INLINE explicit Top(const Member& outside)
+        : medium(outside), rank(double(no_rank)), face(0.0) {}
+
+    /// Where `which`, the solid at `solid_rank` is on top of those so far.
+    HWY_INLINE void cover(M which, int solid_rank, F solid_face, const Program& program) {
+        medium.become(which, program.members[std::size_t(solid_rank)], program);
+        rank = select(which, F(double(solid_rank)), rank);
+        if (program.has_faces) face = select(which, solid_face, face);
+    }
+    /// Where `which`, the members at `ranks` are.
+    HWY_INLINE void cover(std::uint32_t which, const Doubles& ranks, const Program& program) {
+        if (which == 0) return;
+        medium.become(which, ranks, program);
+        rank = select(mask_of(which), load(ranks.at), rank);
+    }
+};
+
+/// Events on solids that are always met.
+struct Owner {
+    M which;
+    U index;
+    F face;
+
+    HWY_INLINE Owner() : which(no_lanes()), index(0), face(0.0) {}
+    HWY_INLINE void own(M lanes_of_it, std::size_t solid, F its_face) {
+        which = which | lanes_of_it;
+        index = select(lanes_of_it, U(solid), index);
+        face = select(lanes_of_it, its_face, face);
     }
 };
 
@@ -135,17 +191,6 @@ struct Round {
     F radius, inverse_radius;
 };
 
-HWY_INLINE Top select(M m, const Top& x, const Top& y, const Program& program) {
-    Top result = y;
-    result.rank = select(m, x.rank, y.rank);
-    result.ior = select(m, x.ior, y.ior);
-    result.face = select(m, x.face, y.face);
-    if (!program.ior_tells_medium) result.medium = select(m, x.medium, y.medium);
-    if (program.has_dressed) result.dressed = select_mask(m, x.dressed, y.dressed);
-    if (program.attenuates) result.attenuates = select_mask(m, x.attenuates, y.attenuates);
-    return result;
-}
-
 /// The nearest true crossing so far.
 struct Crossing {
     F t;
@@ -153,6 +198,23 @@ struct Crossing {
     F face;   // whole number
 };
 inline constexpr std::uint64_t is_small_sphere = most_solids;
+
+/// What is known of all crossings so far.
+struct Findings {
+    Crossing nearest;
+    F first, second;  // the two nearest of solids' next crossings, true or not
+    F ends;           // the nearest crossing that is not its solid's next
+    F sphere_first;   // the nearest with small spheres
+    M doubt;          // lanes that need all stretches
+
+    HWY_INLINE Findings()
+        : nearest{F(infinity), U(0), F(0.0)},
+          first(infinity),
+          second(infinity),
+          ends(infinity),
+          sphere_first(infinity),
+          doubt(no_lanes()) {}
+};
 
 struct Batch {
     RayStack* stack = nullptr;       // where the rays stood
@@ -167,15 +229,11 @@ struct Batch {
     M is_mirrored;
     // Where each solid is next crossed, and on which face.
     F crossing[most_solids], crossing_face[most_solids];
-    F first, second;  // the two nearest of these and of small spheres' crossings
-    F ends;           // the nearest crossing that is not its solid's next
-    F sphere_first;   // the nearest with small spheres
-    M doubt;          // lanes that need all stretches
     // Where each solid's stretches of the rays lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any
     SphereStretches spheres[lanes];
-    Doubles sphere_ranks;            // of nearest crossings with small spheres
+    Doubles sphere_ranks;            // of nearest crossings with small spheres, then of owners
     std::uint32_t near_spheres = 0;  // lanes that have some
     Crossing nearest;
     M unsure;  // too close to call
@@ -183,17 +241,18 @@ struct Batch {
     M met;
     F t;
     List before, after;
-    F surface, surface_face;  // index of the solid that is always met
     U contacts;
+    bool has_passed = false;  // whether there are false crossings
     F false_crossings;
     U sphere_contacts_after;
-    Top before_top, after_top;
+    Medium medium_before, medium_after;
     // What is met: no surface, a clear one, one that lanes can shade, one that the host shades.
     U level;
     M same, nothing, glass, painted, dressed;
-    M by_surface;   // it stands in no list
-    F owner, face;  // rank of the solid whose surface it is
-    U owner_index;  // and its place among the program's, or `is_small_sphere`
+    M by_surface;     // it stands in no list
+    M owner_dressed;  // the skin of the solid whose surface it is
+    U owner_index;    // its place among the program's, or `is_small_sphere`
+    F face;
     F3 point, normal;
     F magnitude;  // M at the point
 };

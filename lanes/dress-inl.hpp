@@ -13,21 +13,19 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 HWY_INLINE void Kernel::dress(const Batch& batch) {
+    const F3 throughput = throughput_of(batch);
     const Doubles px(batch.point.x), py(batch.point.y), pz(batch.point.z), nx(batch.normal.x),
-        ny(batch.normal.y), nz(batch.normal.z), red(batch.throughput.x), green(batch.throughput.y),
-        blue(batch.throughput.z), solids(batch.surface), owners(batch.owner), faces(batch.face),
-        ranks_before(batch.before_top.rank), ranks_after(batch.after_top.rank),
-        magnitudes(batch.magnitude), ways(batch.t), ox(batch.rays.world.origin.x),
-        oy(batch.rays.world.origin.y), oz(batch.rays.world.origin.z),
+        ny(batch.normal.y), nz(batch.normal.z), red(throughput.x), green(throughput.y),
+        blue(throughput.z), faces(batch.face), magnitudes(batch.magnitude), ways(batch.t),
+        ox(batch.rays.world.origin.x), oy(batch.rays.world.origin.y), oz(batch.rays.world.origin.z),
         dx(batch.rays.world.direction.x), dy(batch.rays.world.direction.y),
-        dz(batch.rays.world.direction.z), weights(batch.weight), limits(batch.rays.t_max);
-    const Words codes(batch.code), levels(batch.level), keys(batch.key), contacts(batch.contacts),
-        sphere_contacts(batch.sphere_contacts_after);
-    Words before_words[list_words], after_words[list_words];
-    for (int w = 0; w < program_.words; ++w) {
-        before_words[w] = Words(batch.before.word[w]);
-        after_words[w] = Words(batch.after.word[w]);
-    }
+        dz(batch.rays.world.direction.z), weights(batch.is_shadow ? F(1.0) : batch.weight),
+        limits(batch.is_shadow ? batch.rays.t_max : F(infinity));
+    const Words codes(batch.code), levels(batch.level),
+        keys(has_key(batch.is_shadow) ? batch.key : U(0)), contacts(batch.contacts),
+        sphere_contacts(program_.groups.empty() ? U(0) : batch.sphere_contacts_after);
+    const Words owners(batch.owner_index);
+    const ListWords before(batch.before, program_), after(batch.after, program_);
     const std::uint32_t surfaces = bits(batch.by_surface);
     for_each(batch.dressed, [&](std::size_t lane) {
         Surface surface;
@@ -42,14 +40,15 @@ HWY_INLINE void Kernel::dress(const Batch& batch) {
         surface.point = {px[lane], py[lane], pz[lane]};
         surface.normal = {nx[lane], ny[lane], nz[lane]};
         surface.is_member = !(surfaces >> lane & 1u);
-        surface.part = surface.is_member ? program_.members[std::size_t(owners[lane])].part
-                                         : program_.solids[std::size_t(solids[lane])].part;
+        surface.part = owners[lane] == is_small_sphere
+                           ? program_.members[std::size_t(batch.sphere_ranks[lane])].part
+                           : program_.solids[owners[lane]].part;
         surface.face = int(faces[lane]);
-        surface.rank_before = int(ranks_before[lane]);
-        surface.rank_after = int(ranks_after[lane]);
+        surface.rank_before = before.top(lane);
+        surface.rank_after = after.top(lane);
         for (int w = 0; w < program_.words; ++w) {
-            surface.before[std::size_t(w)] = before_words[w][lane];
-            surface.after[std::size_t(w)] = after_words[w][lane];
+            surface.before[std::size_t(w)] = before.word[w][lane];
+            surface.after[std::size_t(w)] = after.word[w][lane];
         }
         surface.contacts = contacts[lane];
         if (!program_.groups.empty()) surface.sphere_contacts = sphere_contacts[lane];

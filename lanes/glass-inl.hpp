@@ -54,7 +54,7 @@ HWY_INLINE void survive(M& follows, F& weight, F& gain, U key) {
 HWY_INLINE void Kernel::split(Batch& batch) {
     const M splits = batch.glass;
     const F3& direction = batch.rays.world.direction;
-    const F n1 = batch.before_top.ior, n2 = batch.after_top.ior;
+    const F n1 = batch.medium_before.ior, n2 = batch.medium_after.ior;
     const F facing = dot(batch.normal, direction);
     const F3 n = select(F(0.0) < facing, F(-1.0) * batch.normal, batch.normal);
     const F cosine = min(F(1.0), abs(facing));
@@ -79,7 +79,6 @@ HWY_INLINE void Kernel::split(Batch& batch) {
         splits & (F(program_.whitted ? program_.least_weight : 0.0) < transmittance), total);
     choice.reflect_weight = batch.weight * reflectance;
     choice.transmit_weight = batch.weight * transmittance;
-    choice.reflect_key = choice.transmit_key = batch.key;
     choice.reflect_gain = choice.transmit_gain = F(1.0);
     if (program_.sampled) {
         choice.reflect_key = reflected_key(batch.key);
@@ -96,26 +95,25 @@ HWY_INLINE void Kernel::split(Batch& batch) {
         batch.level < U(std::uint64_t(program_.most_levels) << RayCode::level_shift);
     const F floor(program_.least_weight);
     Child child;
-    child.t_max = F(infinity);
     child.way = F(0.0);
     const U code = (batch.code & U(~(RayCode::level_mask | RayCode::straight))) | batch.level;
 
     const M reflects = choice.reflects & may_go_on & (floor <= choice.reflect_weight);
     child.direction = unit(direction + F(2.0) * cosine * n);
-    child.light = (choice.reflect_gain * reflectance) * batch.throughput;
+    if (has_colour(false)) child.light = (choice.reflect_gain * reflectance) * batch.throughput;
     child.weight = choice.reflect_weight;
     child.code = code | U(RayCode::reflected);
-    child.key = choice.reflect_key;
+    if (has_key(false)) child.key = program_.sampled ? choice.reflect_key : batch.key;
     push(stacks_.rays, batch, reflects, child, batch.before, false);
 
     const M transmits = choice.transmits & may_go_on & (floor <= choice.transmit_weight);
     const M bends = F(1e-10) * n2 <= abs(n1 - n2);
     child.direction =
         select(bends, unit((n1 * per_n2) * direction + ((along - beyond) * per_n2) * n), direction);
-    child.light = (choice.transmit_gain * transmittance) * batch.throughput;
+    if (has_colour(false)) child.light = (choice.transmit_gain * transmittance) * batch.throughput;
     child.weight = choice.transmit_weight;
     child.code = code | only(but_not(transmits, bends), U(RayCode::straight));
-    child.key = choice.transmit_key;
+    if (has_key(false)) child.key = program_.sampled ? choice.transmit_key : batch.key;
     push(stacks_.rays, batch, transmits, child, batch.after, false);
 }
 

@@ -20,10 +20,10 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 /// What the solids are, by index: a number of each for `look_up`, and 0 behind them.
 struct Table {
     using Column = double[most_solids + 1];
-    alignas(64) Column rank{}, ior{}, medium{}, magnitude{};
-    alignas(64) Column inverse{}, surface{}, dressed{}, attenuates{};  // 1: it is
-    alignas(64) Column bit[list_words]{};                              // its place, as bits
-    alignas(64) Column x{}, y{}, z{}, radius{}, inverse_radius{};      // of plain balls; else 0
+    alignas(64) Column ior{}, medium{}, magnitude{};
+    alignas(64) Column dressed{}, attenuates{};                    // 1: it is
+    alignas(64) Column bit[list_words]{};                          // its place, as bits
+    alignas(64) Column x{}, y{}, z{}, radius{}, inverse_radius{};  // of plain balls; else 0
 
     explicit Table(const Program& program) {
         for (std::size_t i = 0; i < program.solids.size(); ++i) {
@@ -31,12 +31,9 @@ struct Table {
             const bool is_member = solid.rank >= 0;
             const Member& member =
                 is_member ? program.members[std::size_t(solid.rank)] : program.outside;
-            rank[i] = solid.rank;
             ior[i] = member.ior;
             medium[i] = member.medium;
             magnitude[i] = solid.magnitude;
-            inverse[i] = solid.inverse;
-            surface[i] = !is_member;
             dressed[i] = !member.clear;
             attenuates[i] = member.attenuates;
             if (is_plain_ball(solid)) {
@@ -69,38 +66,42 @@ public:
 private:
     void step(RayStack& stack, bool is_shadow);
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
-    HWY_INLINE void clear_findings(Batch& batch) const;
-    void approach(Batch& batch);
-    HWY_INLINE void approach_ball(Batch& batch, std::size_t i);
-    HWY_INLINE void approach_floor(Batch& batch, std::size_t i);
-    HWY_INLINE void approach_cylinder(Batch& batch, std::size_t i);
-    HWY_INLINE void approach_box(Batch& batch, std::size_t i);
-    HWY_INLINE void approach_lathe(Batch& batch, std::size_t i);
-    HWY_INLINE void come_to_span(Batch& batch, const Solid& solid, std::size_t i, M inside, F t0,
-                                 F t1, M exists, F face);
-    HWY_INLINE void approach_any(Batch& batch, std::size_t i);
-    HWY_INLINE void come_to(Batch& batch, const Solid& solid, std::size_t i, F t, F face, M hidden);
-    HWY_NOINLINE void find_stretches(Batch& batch);
-    bool ask(Batch& batch, std::size_t i);
-    HWY_INLINE void meet(Batch& batch, std::size_t i);
-    HWY_INLINE void meet_floor(Batch& batch, std::size_t i);
+    HWY_INLINE void approach(Batch& batch, Findings& found);
+    HWY_INLINE void approach_ball(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_floor(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_cylinder(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_box(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_lathe(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_any(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void come_to_span(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
+                                 M inside, F t0, F t1, M exists, F face);
+    HWY_INLINE void come_to(Batch& batch, Findings& found, const Solid& solid, std::size_t i, F t,
+                            F face, M hidden);
+    HWY_NOINLINE void find_stretches(Batch& batch, Findings& found);
+    bool ask(Batch& batch, F nearest, std::size_t i);
+    HWY_INLINE void meet(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void meet_floor(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE M hidden_from(const Batch& batch, const Solid& solid) const;
-    HWY_INLINE void offer(Batch& batch, std::size_t i, const Stretch& stretch, M hidden);
+    HWY_INLINE void offer(Findings& found, std::size_t i, const Stretch& stretch, M hidden);
     HWY_INLINE Span ask_span(const Batch& batch, const Solid& solid, U contact, M which);
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
-    HWY_INLINE void find_small_spheres(Batch& batch);
-    HWY_INLINE void own_by_small_spheres(Batch& batch, Top* owner, List& bit) const;
-    HWY_INLINE F nearest_magnitude(const Batch& batch) const;
-    void find_event(Batch& batch);
-    bool list_event(Batch& batch);
-    HWY_INLINE void change_lists(Batch& batch);
-    void count_together(Batch& batch, F reach);
-    HWY_INLINE F bounds_of_event(const Batch& batch, F& pivot) const;
-    HWY_INLINE void name_owner(Batch& batch) const;
+    HWY_INLINE void find_small_spheres(Batch& batch, Findings& found);
+    HWY_INLINE void own_by_small_spheres(Batch& batch, U index, Medium* owner, List& bit) const;
+    HWY_INLINE F nearest_magnitude(const Batch& batch, U index) const;
+    void find_event(Batch& batch, const Findings& found);
+    HWY_INLINE bool list_event(Batch& batch, const Findings& found);
+    HWY_INLINE void change_lists(Batch& batch, const Crossing& nearest);
+    template <bool one_word>
+    void count_together(Batch& batch, U nearest);
+    HWY_INLINE F bounds_of_event(const Batch& batch, U index, F& pivot) const;
+    HWY_INLINE M is_surface(const Batch& batch, U index) const;
+    HWY_INLINE M is_in_some(const List& list) const;
+    HWY_INLINE void name_owner(Batch& batch, const Owner& surface, const Top& before,
+                               const Top& after) const;
     HWY_INLINE void mark_ties(Batch& batch);
-    HWY_INLINE void cover_by_small_spheres(const List& list, Top& top) const;
-    HWY_NOINLINE void make_lists(Batch& batch);
+    HWY_INLINE std::uint32_t covered_by_small_spheres(const List& list, Doubles& ranks) const;
+    HWY_NOINLINE void make_lists(Batch& batch, U nearest);
     HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
                                        Top& after);
     HWY_INLINE M are_both(const Tie& tie, const List& list) const;
@@ -110,7 +111,8 @@ private:
     HWY_INLINE void attenuate(Batch& batch);
     HWY_INLINE void arrive(const Batch& batch, M gone);
     HWY_INLINE void put_on_faces(Batch& batch);
-    HWY_INLINE void put_on_balls(Batch& batch, M here, F& owner_magnitude) const;
+    HWY_INLINE void put_on_balls(const Batch& batch, M here, FacePoint& all,
+                                 F& owner_magnitude) const;
     HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
     HWY_INLINE void add_small_spheres(const Batch& batch, M met, Round& round,
                                       F& owner_magnitude) const;
@@ -126,6 +128,10 @@ private:
         std::int64_t* sum = sums_ + 4 * (code & RayCode::pixel_mask);
         for (int i = 0; i < 3; ++i) sum[i] += std::int64_t(std::llrint(light[i] * program_.units));
         ++sum[3];
+    }
+    HWY_INLINE F3 throughput_of(const Batch& batch) const {
+        return has_colour(batch.is_shadow) ? batch.throughput
+                                           : F3{batch.weight, batch.weight, batch.weight};
     }
     bool has_colour(bool is_shadow) const { return is_shadow || !program_.grey; }
     bool has_key(bool is_shadow) const { return program_.uses_keys && !is_shadow; }

@@ -14,11 +14,11 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// The event and its lists, from the next crossing with each solid; false if there is a ray for
 /// which that is not enough.
-inline bool Kernel::list_event(Batch& batch) {
+HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     const Rays& rays = batch.rays;
-    const F nearest = batch.nearest.t;
-    const F first = max(batch.first, F(0.0));
-    F next = min(batch.second, batch.ends);
+    const F nearest = found.nearest.t;
+    const F first = max(found.first, F(0.0));
+    F next = min(found.second, found.ends);
     M met = rays.active & (nearest < F(infinity));
     F t = min(max(nearest, F(0.0)), F(1e300));
     if (batch.is_shadow) {
@@ -32,17 +32,21 @@ inline bool Kernel::list_event(Batch& batch) {
                         F(100.0 * program_.contact_tolerance));
     const F beyond = t + reach;
     // Before the start by more than rounding lies nothing: there list and place would disagree.
-    const M doubt = batch.doubt | (batch.first < rays.sure_start);
+    const M doubt = found.doubt | (found.first < rays.sure_start(program_));
     // Most crossings have the place to themselves, and no false ones before them.
     const M alone = (beyond < next) & (t <= first);
     const M crowded = but_not(rays.active, alone);
     // Otherwise each solid is crossed once at most, and no small sphere.
-    const M overcrowded = but_not(crowded, beyond < min(batch.ends, batch.sphere_first));
+    const M overcrowded = but_not(crowded, beyond < min(found.ends, found.sphere_first));
     if (any((rays.active & doubt) | overcrowded)) return false;
     if (any(crowded)) {
-        count_together(batch, reach);
+        if (program_.words == 1) {
+            count_together<true>(batch, found.nearest.index);
+        } else {
+            count_together<false>(batch, found.nearest.index);
+        }
     } else {
-        change_lists(batch);
+        change_lists(batch, found.nearest);
     }
     return true;
 }
@@ -68,86 +72,93 @@ HWY_INLINE M Kernel::are_both(const Tie& tie, const List& list) const {
 }
 
 /// The lists where the event is all that happens on the way: one bit comes or goes.
-HWY_INLINE void Kernel::change_lists(Batch& batch) {
-    const Crossing& nearest = batch.nearest;
+HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     const M met = batch.met;
     const U index = nearest.index;
     batch.owner_index = index;
-    M by_member = met;
-    batch.surface = F(double(no_rank));
-    if (program_.has_surfaces) {
-        const M by_surface = met & (F(0.0) < look_up(table_.surface, index));
-        by_member = but_not(met, by_surface);
-        batch.surface = select(by_surface, to_double(index), batch.surface);
-    }
-    Top owner(program_.outside), top = owner;
-    owner.rank = look_up(table_.rank, index);
+    batch.face = nearest.face;
+    batch.same = no_lanes();
+    batch.by_surface = met & is_surface(batch, index);
+    const M by_member = but_not(met, batch.by_surface);
+    Medium owner, rest(program_.outside);
     owner.ior = look_up(table_.ior, index);
     if (!program_.ior_tells_medium) owner.medium = look_up(table_.medium, index);
     if (program_.has_dressed) owner.dressed = F(0.0) < look_up(table_.dressed, index);
     if (program_.attenuates) owner.attenuates = F(0.0) < look_up(table_.attenuates, index);
-    batch.contacts = shift_left(as_words(min(nearest.face + F(1.0), F(15.0)) + F(0x1p52)) & U(15),
-                                shift_left(index, 2));
+    const U place = shift_left(index, 2);
+    batch.contacts =
+        program_.has_faces
+            ? shift_left(as_words(min(nearest.face + F(1.0), F(15.0)) + F(0x1p52)) & U(15), place)
+            : shift_left(U(1), place);
     List bit;
     for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
-    batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres != 0) own_by_small_spheres(batch, &owner, bit);
+    if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
+    if (batch.near_spheres != 0) own_by_small_spheres(batch, index, &owner, bit);
+    batch.owner_dressed = owner.dressed;
 
-    List rest;
+    List others;
     M leaves = no_lanes();
     for (int w = 0; w < program_.words; ++w) {
         const U inside = batch.inside.word[w], own = only(met, bit.word[w]);
         leaves = leaves | shares(inside, own);
-        rest.word[w] = but_not(inside, own);
+        others.word[w] = but_not(inside, own);
         batch.before.word[w] = inside;
         batch.after.word[w] = inside ^ own;
     }
     for (const Solid& solid : program_.solids) {
-        if (solid.rank < 0) continue;
-        top.cover(shares(rest.word[solid.place / 64], U(1ull << (solid.place % 64))), solid.rank,
-                  program_);
+        if (solid.rank < 0) break;  // these are the last
+        rest.become(shares(others.word[solid.place / 64], U(1ull << (solid.place % 64))),
+                    program_.members[std::size_t(solid.rank)], program_);
     }
-    if (!program_.groups.empty()) cover_by_small_spheres(rest, top);
-    batch.before_top = select(by_member & leaves, owner, top, program_);
-    batch.after_top = select(but_not(by_member, leaves), owner, top, program_);
-    batch.before_top.face = batch.after_top.face = batch.surface_face = nearest.face;
-    batch.false_crossings = F(0.0);
+    if (!program_.groups.empty()) {
+        Doubles ranks;
+        rest.become(covered_by_small_spheres(others, ranks), ranks, program_);
+    }
+    batch.medium_before = select(by_member & leaves, owner, rest, program_);
+    batch.medium_after = select(but_not(by_member, leaves), owner, rest, program_);
+}
+
+/// Whether the solids with these indices stand in no list: they come last.
+HWY_INLINE M Kernel::is_surface(const Batch& batch, U index) const {
+    if (!program_.has_surfaces) return no_lanes();
+    const M late = U(std::uint64_t(program_.listed_solids) - 1) < index;
+    return batch.near_spheres == 0 ? late : but_not(late, index == U(is_small_sphere));
 }
 
 /// What has a say in the tolerance at an event: the larger of two magnitudes, its own and
 /// another's.
-HWY_INLINE F Kernel::bounds_of_event(const Batch& batch, F& pivot) const {
-    pivot = program_.one_tolerance ? F(program_.largest_magnitude) : nearest_magnitude(batch);
+HWY_INLINE F Kernel::bounds_of_event(const Batch& batch, U index, F& pivot) const {
+    pivot =
+        program_.one_tolerance ? F(program_.largest_magnitude) : nearest_magnitude(batch, index);
     return max(F(1e-7) * (batch.rays.largest + batch.t + pivot),
                F(100.0 * program_.contact_tolerance));
 }
 
 /// The lists where each solid is crossed once at most up to behind the event: what lies within the
 /// tolerance of it counts together.
-inline void Kernel::count_together(Batch& batch, F) {
+template <bool one_word>
+void Kernel::count_together(Batch& batch, U nearest) {
+    const int words = one_word ? 1 : program_.words;
     const Rays& rays = batch.rays;
     const F t = batch.t;
     F pivot;
-    const F reach = bounds_of_event(batch, pivot);
+    const F reach = bounds_of_event(batch, nearest, pivot);
     const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
     const F far = rays.largest + t;
     const F common = max(units * (far + pivot), least);
     F low = t - common, high = t + common;
-    batch.contacts = U(0);
-    batch.surface = F(double(no_rank));
-    batch.surface_face = F(0.0);
-    batch.false_crossings = F(0.0);
-    for (int w = 0; w < program_.words; ++w)
-        batch.before.word[w] = batch.after.word[w] = batch.inside.word[w];
-    batch.sphere_contacts_after = U(0);
+    List before_list, after_list;
+    for (int w = 0; w < words; ++w) before_list.word[w] = after_list.word[w] = batch.inside.word[w];
+    if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
     if (batch.near_spheres != 0) {
         List own;
-        for (int w = 0; w < program_.words; ++w) own.word[w] = U(0);
-        own_by_small_spheres(batch, nullptr, own);
-        for (int w = 0; w < program_.words; ++w)
-            batch.after.word[w] = batch.after.word[w] ^ own.word[w];
-        batch.contacts = U(0);
+        for (int w = 0; w < words; ++w) own.word[w] = U(0);
+        own_by_small_spheres(batch, nearest, nullptr, own);
+        for (int w = 0; w < words; ++w) after_list.word[w] = after_list.word[w] ^ own.word[w];
     }
+    Owner surface;
+    U contacts(0);
+    F passes(0.0);
     Top before(program_.outside), after(program_.outside);
     M torn = no_lanes();
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
@@ -161,50 +172,59 @@ inline void Kernel::count_together(Batch& batch, F) {
         const M passed = at < low, reached = at <= high;
         const M touches = but_not(reached, passed);
         torn = torn | (touches ^ (abs(at - t) <= reach));
-        if (any(passed)) batch.false_crossings = batch.false_crossings + only(passed, F(1.0));
+        if (any(passed)) {
+            batch.has_passed = true;
+            passes = passes + only(passed, F(1.0));
+        }
         const F face = has_faces(solid.kind) ? only(touches, batch.crossing_face[i]) : F(0.0);
-        batch.contacts =
-            batch.contacts |
-            only(touches, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
-        const std::size_t word = std::size_t(solid.place / 64);
+        contacts = contacts | only(touches, has_faces(solid.kind) ? contact_word(face, int(i))
+                                                                  : U(1ull << (4 * i)));
+        const std::size_t word = one_word ? 0 : std::size_t(solid.place / 64);
         const U bit(1ull << (solid.place % 64));
-        batch.before.word[word] = batch.before.word[word] ^ only(passed, bit);
-        batch.after.word[word] = batch.after.word[word] ^ only(reached, bit);
+        before_list.word[word] = before_list.word[word] ^ only(passed, bit);
+        after_list.word[word] = after_list.word[word] ^ only(reached, bit);
         if (solid.rank < 0) {
-            batch.surface = select(touches, F(double(i)), batch.surface);
-            batch.surface_face = select(touches, face, batch.surface_face);
+            surface.own(touches, i, face);
             continue;
         }
         // Solids stand in the order of their ranks.
-        const M is_before = shares(batch.before.word[word], bit),
-                is_after = shares(batch.after.word[word], bit);
-        before.cover(is_before, solid.rank, program_);
-        after.cover(is_after, solid.rank, program_);
-        if (has_faces(solid.kind)) {
-            before.face = select(is_before, face, before.face);
-            after.face = select(is_after, face, after.face);
-        }
+        before.cover(shares(before_list.word[word], bit), solid.rank, face, program_);
+        after.cover(shares(after_list.word[word], bit), solid.rank, face, program_);
+    }
+    batch.contacts = contacts;
+    batch.false_crossings = passes;
+    for (int w = 0; w < words; ++w) {
+        batch.before.word[w] = before_list.word[w];
+        batch.after.word[w] = after_list.word[w];
     }
     if (!program_.groups.empty()) {
-        cover_by_small_spheres(batch.before, before);
-        cover_by_small_spheres(batch.after, after);
+        Doubles ranks;
+        before.cover(covered_by_small_spheres(batch.before, ranks), ranks, program_);
+        after.cover(covered_by_small_spheres(batch.after, ranks), ranks, program_);
     }
     batch.unsure = batch.unsure | (batch.met & torn);
-    batch.before_top = before;
-    batch.after_top = after;
-    name_owner(batch);
+    name_owner(batch, surface, before, after);
 }
 
-/// Whose surface the event is.
-HWY_INLINE void Kernel::name_owner(Batch& batch) const {
-    batch.owner_index = U(is_small_sphere);
-    const F owner = max(batch.before_top.rank, batch.after_top.rank);
-    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
-        const Solid& solid = program_.solids[i];
-        const M here =
-            solid.rank >= 0 ? owner == F(double(solid.rank)) : batch.surface == F(double(i));
-        batch.owner_index = select(here, U(i), batch.owner_index);
-    }
+/// Whose surface the event is, if no surface of its own has it: that of the stronger of two solids.
+HWY_INLINE void Kernel::name_owner(Batch& batch, const Owner& surface, const Top& before,
+                                   const Top& after) const {
+    const M met = batch.met;
+    batch.by_surface = surface.which & met;
+    batch.medium_before = before.medium;
+    batch.medium_after = after.medium;
+    const M after_owns = before.rank < after.rank;
+    batch.owner_dressed = select_mask(after_owns, after.medium.dressed, before.medium.dressed);
+    const M by_member = but_not(met, batch.by_surface);
+    batch.same = by_member & (before.rank == after.rank);
+    batch.face =
+        select(batch.by_surface, surface.face, select(after_owns, after.face, before.face));
+    const F owner = max(before.rank, after.rank);
+    U index(is_small_sphere);
+    for (std::size_t i = 0; i < program_.listed_solids; ++i)
+        index = select(owner == F(double(program_.solids[i].rank)), U(i), index);
+    batch.owner_index = select(batch.by_surface, surface.index, index);
+    if (batch.near_spheres != 0) batch.sphere_ranks = Doubles(owner);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

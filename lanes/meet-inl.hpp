@@ -14,22 +14,23 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// Where each solid's stretches of the rays lie, and the nearest crossing that is true.
-void Kernel::find_stretches(Batch& batch) {
-    clear_findings(batch);
+void Kernel::find_stretches(Batch& batch, Findings& found) {
+    batch.unsure = no_lanes();
+    batch.near_spheres = 0;
     // What is costly is asked last, when it is known how near a crossing must be.
     for (const int i : program_.cheap_first) {
         if (is_plain_floor(program_.solids[std::size_t(i)])) {
-            meet_floor(batch, std::size_t(i));
+            meet_floor(batch, found, std::size_t(i));
         } else {
-            meet(batch, std::size_t(i));
+            meet(batch, found, std::size_t(i));
         }
     }
-    if (!program_.groups.empty()) find_small_spheres(batch);
-    for (const int i : program_.foreign) meet(batch, std::size_t(i));
+    if (!program_.groups.empty()) find_small_spheres(batch, found);
+    for (const int i : program_.foreign) meet(batch, found, std::size_t(i));
 }
 
 /// What solid `i` has to say about the rays: its stretches; whether there are any.
-inline bool Kernel::ask(Batch& batch, std::size_t i) {
+inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const std::size_t word = std::size_t(solid.place / 64);
@@ -46,7 +47,7 @@ inline bool Kernel::ask(Batch& batch, std::size_t i) {
     if (is_costly(solid.kind)) {
         const M named = is_member ? in_shape | has_contact : has_contact;
         const M near =
-            rays.active & (named | meet_sphere(rays, solid.middle, solid.reach, batch.nearest.t));
+            rays.active & (named | meet_sphere(program_, rays, solid.middle, solid.reach, nearest));
         if (!any(near)) {
             batch.is_near[i] = false;
             for (std::size_t slot = first; slot < end; ++slot)
@@ -111,12 +112,12 @@ inline bool Kernel::ask(Batch& batch, std::size_t i) {
 }
 
 /// Solid `i`, by its whole stretches.
-HWY_INLINE void Kernel::meet(Batch& batch, std::size_t i) {
-    if (!ask(batch, i)) return;
+HWY_INLINE void Kernel::meet(Batch& batch, Findings& found, std::size_t i) {
+    if (!ask(batch, found.nearest.t, i)) return;
     const Solid& solid = program_.solids[i];
     const M hidden = solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes();
     for (std::size_t slot = 2 * i; slot < 2 * i + (has_two_stretches(solid.kind) ? 2 : 1); ++slot)
-        offer(batch, i, batch.stretches[slot], hidden);
+        offer(found, i, batch.stretches[slot], hidden);
 }
 
 /// To enter and to leave are true crossings where nothing stronger is around.
@@ -129,7 +130,7 @@ HWY_INLINE M Kernel::hidden_from(const Batch& batch, const Solid& solid) const {
 
 /// Half-spaces that stand in no list: no chord of theirs is thin, and where a ray was not born on
 /// them its place tells on which side it is.
-HWY_INLINE void Kernel::meet_floor(Batch& batch, std::size_t i) {
+HWY_INLINE void Kernel::meet_floor(Batch& batch, Findings& found, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
     const M listed = shares(batch.inside.word[solid.place / 64], U(1ull << (solid.place % 64)));
@@ -143,15 +144,15 @@ HWY_INLINE void Kernel::meet_floor(Batch& batch, std::size_t i) {
     stretch.in = select(inside, F(-infinity), select(slope < F(0.0), t, F(infinity)));
     stretch.out = select(inside & (F(0.0) < slope), t, F(infinity));
     batch.is_near[i] = any(stretch.in < F(infinity));
-    if (batch.is_near[i]) offer(batch, i, stretch, no_lanes());
+    if (batch.is_near[i]) offer(found, i, stretch, no_lanes());
 }
 
 /// Where a ray comes to a stretch, or to the end of the one that it starts in.
-HWY_INLINE void Kernel::offer(Batch& batch, std::size_t i, const Stretch& stretch, M hidden) {
+HWY_INLINE void Kernel::offer(Findings& found, std::size_t i, const Stretch& stretch, M hidden) {
     const F t = select(stretch.in == F(-infinity), stretch.out, stretch.in);
-    const M nearer = but_not(t < batch.nearest.t, hidden);
-    batch.nearest.t = select(nearer, t, batch.nearest.t);
-    batch.nearest.index = select(nearer, U(i), batch.nearest.index);
+    const M nearer = but_not(t < found.nearest.t, hidden);
+    found.nearest.t = select(nearer, t, found.nearest.t);
+    found.nearest.index = select(nearer, U(i), found.nearest.index);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -106,8 +106,8 @@ HWY_INLINE NextCrossings next_crossings(const Program& program, const Solid& sol
         const double face = double(i);
         if (piece.a == 0.0) {  // a ring
             const F t = (F(piece.low_height) - height) * per_dy;
-            const F x = e.x + t * d.x, z = e.z + t * d.z;
-            const F radius2 = x * x + z * z;
+            const F from_nearest = t + b;
+            const F radius2 = ff + dd * (from_nearest * from_nearest);
             const F scale(0.5 / piece.high_radius);
             const F outer = scale * (F(piece.high_radius * piece.high_radius) - radius2);
             search.decide(outer);

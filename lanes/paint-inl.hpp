@@ -27,19 +27,20 @@ HWY_INLINE F3 colour_at(const Paint& paint, const F3& world) {
 HWY_INLINE void Kernel::paint(const Batch& batch) {
     if (batch.is_shadow) return add_light(batch.painted, batch.code, F3(geom::Vec3{0.0}));
     const F3& eye_ray = batch.rays.world.direction;
+    const F3 throughput = throughput_of(batch);
     const F3 normal =
         select(F(0.0) < dot(batch.normal, eye_ray), F(-1.0) * batch.normal, batch.normal);
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
         if (solid.paint < 0) continue;
-        const M here = batch.painted & (batch.surface == F(double(i)));
+        const M here = batch.painted & (batch.owner_index == U(i));
         if (!any(here)) continue;
         const Paint& paint = program_.paints[std::size_t(solid.paint)];
         const F3 colour = colour_at(paint, batch.point);
         const auto times = [](const F3& u, const F3& v) HWY_ATTR {
             return F3{u.x * v.x, u.y * v.y, u.z * v.z};
         };
-        add_light(here, batch.code, times(batch.throughput, times(colour, F3(paint.glow))));
+        add_light(here, batch.code, times(throughput, times(colour, F3(paint.glow))));
         for (const Light& light : program_.lights) {
             const F3 way = F3(light.position) - batch.point;
             const F distance = sqrt(dot(way, way));
@@ -47,11 +48,9 @@ HWY_INLINE void Kernel::paint(const Batch& batch) {
             child.direction = (F(1.0) / distance) * way;
             const F cosine = dot(normal, child.direction);
             const F3 thrown_back = (F(paint.diffuse) * cosine) * times(colour, F3(light.colour));
-            child.light = times(batch.throughput, thrown_back);
+            child.light = times(throughput, thrown_back);
             child.t_max = distance;
-            child.weight = F(1.0);
             child.way = F(0.0);
-            child.key = batch.key;
             child.code = (batch.code & U(~(RayCode::level_mask | RayCode::straight))) |
                          batch.level | U(RayCode::shadow);
             const M lit = here & (F(1e-10) <= cosine) &

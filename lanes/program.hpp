@@ -30,6 +30,9 @@ inline constexpr double thin_chord = 1e-6;
 /// The last two are met by the host, one ray at a time: any other convex solid, and any other.
 enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
 
+/// By which code it is asked for its next crossing.
+enum class Way { ball, floor, cylinder, box, stepped_lathe, any };
+
 /// Whether it is worth a look first whether a ray comes near it.
 inline bool is_costly(Kind kind) {
     return kind != Kind::sphere && kind != Kind::half_space && kind != Kind::cylinder;
@@ -53,6 +56,7 @@ struct Piece {
 /// mean something.
 struct Solid {
     Kind kind = Kind::sphere;
+    Way way = Way::any;
     int part = 0;        // whose it is, for the host
     int rank = no_rank;  // place in the list: higher is stronger; `no_rank`: always met
     int place = 0;       // its bit in the list
@@ -65,6 +69,7 @@ struct Solid {
     double thin = 0.0, sure_start = 0.0;  // its shares in bounds of the kernel (Rays)
     geom::Vec3 middle{0.0};               // of a sphere around it, with a margin; costly kinds
     double reach = 0.0;                   // its radius
+    bool is_large = false;                // few rays miss that sphere
     int paint = -1;                       // how lanes shade it, if they can
 
     geom::Vec3 center{0.0};           // sphere; base of a cylinder; a half-space's unit normal
@@ -148,10 +153,13 @@ struct Program {
     std::vector<Group> groups;
     geom::Vec3 groups_middle{0.0};  // of a sphere around all of them
     double groups_reach = 0.0;
-    std::vector<Member> members;  // by rank
+    std::vector<Member> members;    // by rank
+    Places member_bits{};           // where they are in a list
+    std::size_t listed_solids = 0;  // so many are members: the first of `solids`
     std::vector<Tie> ties;
     std::vector<Paint> paints;
     std::vector<Light> lights;                               // if there are paints
+    bool all_painted = false;                                // all surfaces that no list has
     Member outside;                                          // the medium around everything
     double tolerance_units = 16.0, contact_tolerance = 0.0;  // docs/numerics.md
     double largest_magnitude = 0.0;                          // over all solids and spheres
@@ -162,9 +170,9 @@ struct Program {
     bool grey = false;       // only rays to lights have colours: a ray's light is its weight
     int words = list_words;  // of the list
     std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
+    std::vector<int> balls;                 // plain ones
     std::vector<int> cornered;              // all but plain balls
     bool has_surfaces = true;               // solids that stand in no list
-    bool has_inverse = true;                // complements
     bool has_faces = true;                  // solids of more than one face
     bool has_dressed = true;                // members whose skins are not clear
     bool ior_tells_medium = true;           // media of one index are alike

@@ -17,25 +17,28 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
     const Rays& rays = batch.rays;
     const M here = but_not(batch.met, batch.same);
     const U index = batch.owner_index;
-    batch.point = rays.world.origin + batch.t * rays.world.direction;
-    batch.normal = F3(geom::Vec3{0.0, 1.0, 0.0});
+    FacePoint all{rays.world.origin + batch.t * rays.world.direction,
+                  F3(geom::Vec3{0.0, 1.0, 0.0})};
     F owner_magnitude(program_.largest_magnitude);
     if (!program_.one_tolerance) owner_magnitude = look_up(table_.magnitude, index);
     for (const int i : program_.cornered) {
         const M on = here & (index == U(std::uint64_t(i)));
         if (!any(on)) continue;
         const Solid& solid = program_.solids[std::size_t(i)];
-        const FacePoint put = is_foreign(solid.kind) ? ask_face(solid, on, batch.point, batch.face)
-                                                     : face_point(solid, batch.point, batch.face);
-        batch.point = select(on, put.point, batch.point);
-        batch.normal = select(on, solid.inverse ? F(-1.0) * put.normal : put.normal, batch.normal);
+        const FacePoint put = is_foreign(solid.kind) ? ask_face(solid, on, all.point, batch.face)
+                                                     : face_point(solid, all.point, batch.face);
+        all.point = select(on, put.point, all.point);
+        all.normal = select(on, solid.inverse ? F(-1.0) * put.normal : put.normal, all.normal);
     }
-    put_on_balls(batch, here, owner_magnitude);
+    put_on_balls(batch, here, all, owner_magnitude);
+    batch.point = all.point;
+    batch.normal = all.normal;
     batch.magnitude = rays.largest + batch.t + owner_magnitude;
 }
 
 /// Spheres are alike: all lanes that are on one, at once.
-HWY_INLINE void Kernel::put_on_balls(Batch& batch, M here, F& owner_magnitude) const {
+HWY_INLINE void Kernel::put_on_balls(const Batch& batch, M here, FacePoint& all,
+                                     F& owner_magnitude) const {
     const U index = batch.owner_index;
     Round round;
     round.which = here & (F(0.0) < look_up(table_.radius, index));
@@ -44,12 +47,12 @@ HWY_INLINE void Kernel::put_on_balls(Batch& batch, M here, F& owner_magnitude) c
     round.radius = look_up(table_.radius, index);
     round.inverse_radius = look_up(table_.inverse_radius, index);
     if (batch.near_spheres != 0) add_small_spheres(batch, here, round, owner_magnitude);
-    const F3 e = batch.point - round.center;
+    const F3 e = all.point - round.center;
     // The point is on the sphere but for rounding: a step of Newton's method for 1 / length.
     const F share = dot(e, e) * (round.inverse_radius * round.inverse_radius);
     const F3 n = (round.inverse_radius * (F(1.5) - F(0.5) * share)) * e;
-    batch.normal = select(round.which, n, batch.normal);
-    batch.point = select(round.which, round.center + round.radius * n, batch.point);
+    all.normal = select(round.which, n, all.normal);
+    all.point = select(round.which, round.center + round.radius * n, all.point);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

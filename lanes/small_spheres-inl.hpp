@@ -16,21 +16,23 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 struct GroupTest {
     F reach;  // -|o|^2, with room for rounding
     F along;  // o . d
+    F margin;
     const Rays& rays;
 
-    HWY_INLINE explicit GroupTest(const Rays& of)
+    HWY_INLINE GroupTest(const Program& program, const Rays& of)
         : reach(F(-1.0 + 1e-14) * dot(of.world.origin, of.world.origin)),
           along(dot(of.world.origin, of.world.direction)),
+          margin(of.margin(program)),
           rays(of) {}
 
-    HWY_INLINE M met(const Group& group, F nearest) const {
+    HWY_INLINE M met(const Group& group, F limit) const {
         const F3 c(group.center);
         const F b = along - dot(c, rays.world.direction);
         const F b2 = b * b;
         // r^2 - |o - c|^2 + b^2
         const F twice = dot(F3(2.0 * group.center), rays.world.origin);
         const F room = ((F(group.power) + reach) + twice) + b2;
-        const F beyond = b + (nearest * F(1.0 + 1e-6) + (rays.margin + F(group.radius)));
+        const F beyond = b + (limit + F(group.radius));
         return (F(0.0) < room) & ((b < F(0.0)) | (b2 < room)) & (F(0.0) < beyond);
     }
 };
@@ -48,31 +50,30 @@ struct SingleRay {
         const auto fx = hn::Sub(ex, hn::Mul(along, dx)), fy = hn::Sub(ey, hn::Mul(along, dy)),
                    fz = hn::Sub(ez, hn::Mul(along, dz));
         const auto radius = hn::LoadU(doubles, r);
-        const auto space = hn::Sub(
-            hn::Mul(radius, radius),
-            hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz)));
+        const auto space =
+            hn::Sub(hn::Mul(radius, radius),
+                    hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz)));
         const auto ahead =
             hn::Or(hn::Lt(along, hn::Zero(doubles)), hn::Lt(hn::Mul(along, along), space));
         // It comes in at -along - sqrt(space).
         const auto before = hn::Add(along, hn::Set(doubles, limit));
         const auto in_time =
             hn::Or(hn::Lt(hn::Zero(doubles), before), hn::Lt(hn::Mul(before, before), space));
-        return bits(
-            hn::And(hn::And(hn::Lt(hn::Zero(doubles), space), ahead), in_time));
+        return bits(hn::And(hn::And(hn::Lt(hn::Zero(doubles), space), ahead), in_time));
     }
 };
 
 /// Small spheres are met by few rays each: lane by lane, eight spheres at once. Draws `nearest`
 /// nearer where one of them is a true crossing.
-HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
+HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
     using Stack = RayStack;
     const Rays& rays = batch.rays;
     M named = !(batch.sphere_contacts == U(0));
     for (int w = 0; w < program_.words; ++w)
         named = named | shares(batch.inside.word[w], U(group_bits_[w]));
     named = named & rays.active;
-    const M near_all = rays.active & meet_sphere(rays, program_.groups_middle,
-                                                 program_.groups_reach, batch.nearest.t);
+    const M near_all = rays.active & meet_sphere(program_, rays, program_.groups_middle,
+                                                 program_.groups_reach, found.nearest.t);
     if (!any(named | near_all)) return;
 
     // The rays are still on the stack, one by one.
@@ -87,7 +88,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
     const std::uint64_t* const sphere_contacts = word(Stack::sphere_contacts);
     const std::uint64_t* inside[list_words];
     for (int w = 0; w < program_.words; ++w) inside[w] = word(Stack::inside + w);
-    Doubles near(batch.nearest.t), first{F(infinity)}, second(first), ends(first);
+    Doubles near(found.nearest.t), first, second, ends;  // the last three of near spheres
     std::uint32_t doubtful = 0, drawn = 0, all_drawn = 0;
 
     const auto offer = [&](std::size_t lane, int rank, bool is_inside, bool has_contact) {
@@ -104,8 +105,11 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
         if (!met) return;
         stretch.rank = rank;
         SphereStretches& list = batch.spheres[lane];
-        if (!(batch.near_spheres >> lane & 1u)) list.size = 0;
-        batch.near_spheres |= 1u << lane;
+        if (!(batch.near_spheres >> lane & 1u)) {
+            batch.near_spheres |= 1u << lane;
+            list.size = 0;
+            first[lane] = second[lane] = ends[lane] = infinity;
+        }
         if (list.size == SphereStretches::most) {
             doubtful |= 1u << lane;
             return;
@@ -138,15 +142,15 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
                 offer(lane, rank, false, true);
         }
     });
-    const Doubles margins(rays.margin);
+    const Doubles margins(rays.margin(program_));
     const auto try_group = [&](const Group& group, std::size_t lane) HWY_ATTR {
         const auto set = [&](const double* numbers)
                              HWY_ATTR { return hn::Set(doubles, numbers[lane]); };
         const SingleRay ray{set(ox), set(oy), set(oz), set(dx), set(dy), set(dz)};
         const double farthest = near[lane] * (1.0 + 1e-6) + margins[lane];
         for (std::size_t part = 0; part < Group::size; part += width) {
-            std::uint32_t hit = ray.met(&group.x[part], &group.y[part], &group.z[part],
-                                        &group.r[part], farthest);
+            std::uint32_t hit =
+                ray.met(&group.x[part], &group.y[part], &group.z[part], &group.r[part], farthest);
             for (; hit; hit &= hit - 1) {
                 const int rank = group.rank[part + std::size_t(__builtin_ctz(hit))];
                 if (inside[rank / 64][lane] >> (rank % 64) & 1u) continue;
@@ -157,31 +161,39 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch) {
             }
         }
     };
-    const GroupTest test(rays);
-    F nearest = drawn ? load(near.at) : batch.nearest.t;
+    const GroupTest test(program_, rays);
+    F nearest = drawn ? load(near.at) : found.nearest.t;
+    F limit = nearest * F(1.0 + 1e-6) + test.margin;
     for (const Group& group : program_.groups) {
         all_drawn |= drawn;
         drawn = 0;
-        for_each(near_all & test.met(group, nearest),
+        for_each(near_all & test.met(group, limit),
                  [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
-        if (drawn) nearest = load(near.at);
-    }
-    batch.sphere_first = load(first.at);
-    batch.second = min(min(batch.second, load(second.at)), max(batch.first, batch.sphere_first));
-    batch.first = min(batch.first, batch.sphere_first);
-    batch.ends = min(batch.ends, load(ends.at));
-    if (all_drawn |= drawn; all_drawn != 0) {
-        const M which = mask_of(all_drawn);
-        batch.nearest.t = nearest;
-        batch.nearest.index = select(which, U(is_small_sphere), batch.nearest.index);
-        batch.nearest.face = but_not(which, batch.nearest.face);
+        if (!drawn) continue;
+        nearest = load(near.at);
+        limit = nearest * F(1.0 + 1e-6) + test.margin;
     }
     batch.unsure = batch.unsure | mask_of(doubtful);
+    if (batch.near_spheres == 0) return;
+    const M have = mask_of(batch.near_spheres);
+    const auto of_spheres = [&](const Doubles& numbers)
+                                HWY_ATTR { return select(have, load(numbers.at), F(infinity)); };
+    found.sphere_first = of_spheres(first);
+    found.second = min(min(found.second, of_spheres(second)), max(found.first, found.sphere_first));
+    found.first = min(found.first, found.sphere_first);
+    found.ends = min(found.ends, of_spheres(ends));
+    if (all_drawn |= drawn; all_drawn != 0) {
+        const M which = mask_of(all_drawn);
+        found.nearest.t = nearest;
+        found.nearest.index = select(which, U(is_small_sphere), found.nearest.index);
+        found.nearest.face = but_not(which, found.nearest.face);
+    }
 }
 
 /// What is told of nearest crossings that are on small spheres.
-HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top* owner, List& bit) const {
-    const M drawn = batch.met & (batch.nearest.index == U(is_small_sphere));
+HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, U index, Medium* owner,
+                                             List& bit) const {
+    const M drawn = batch.met & (index == U(is_small_sphere));
     if (!any(drawn)) return;
     const std::uint32_t which = bits(drawn);
     Words contacts, own[list_words];
@@ -195,41 +207,32 @@ HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, Top* owner, List& bit
         bit.word[w] = select(drawn, load(own[w].at), bit.word[w]);
     batch.sphere_contacts_after = only(drawn, load(contacts.at));
     batch.contacts = select(drawn, U(0), batch.contacts);
-    if (owner) owner->cover(which, batch.sphere_ranks, program_);
+    if (owner) owner->become(which, batch.sphere_ranks, program_);
 }
 
 /// Of the solid whose crossing is nearest.
-HWY_INLINE F Kernel::nearest_magnitude(const Batch& batch) const {
-    Doubles magnitude(look_up(table_.magnitude, batch.nearest.index));
-    for_each(batch.near_spheres & bits(batch.nearest.index == U(is_small_sphere)),
-             [&](std::size_t lane) {
-                 magnitude[lane] = magnitudes_[std::size_t(batch.sphere_ranks[lane])];
-             });
+HWY_INLINE F Kernel::nearest_magnitude(const Batch& batch, U index) const {
+    Doubles magnitude(look_up(table_.magnitude, index));
+    for_each(batch.near_spheres & bits(index == U(is_small_sphere)), [&](std::size_t lane) {
+        magnitude[lane] = magnitudes_[std::size_t(batch.sphere_ranks[lane])];
+    });
     return load(magnitude.at);
 }
 
-/// Small spheres in a list that are stronger than all solids in it.
-HWY_INLINE void Kernel::cover_by_small_spheres(const List& list, Top& top) const {
+/// The lanes with a small sphere on top of a list, and its rank.
+HWY_INLINE std::uint32_t Kernel::covered_by_small_spheres(const List& list, Doubles& ranks) const {
     M some = no_lanes();
     for (int w = 0; w < program_.words; ++w) some = some | shares(list.word[w], U(group_bits_[w]));
-    if (!any(some)) return;
-    Words words[list_words];
-    for (int w = 0; w < program_.words; ++w) words[w] = Words(list.word[w]);
-    Doubles ranks(top.rank);
+    if (!any(some)) return 0;
+    const ListWords words(list, program_);
     std::uint32_t covered = 0;
     for_each(some, [&](std::size_t lane) {
-        for (int w = program_.words - 1; w >= 0; --w) {
-            const std::uint64_t grouped = words[w][lane] & group_bits_[w];
-            if (grouped == 0) continue;
-            const int rank = 64 * w + 63 - __builtin_clzll(grouped);
-            if (ranks[lane] < rank) {
-                ranks[lane] = rank;
-                covered |= 1u << lane;
-            }
-            break;
-        }
+        const int rank = words.top(lane);
+        if (!(group_bits_[rank / 64] >> (rank % 64) & 1u)) return;
+        ranks[lane] = rank;
+        covered |= 1u << lane;
     });
-    top.cover(covered, ranks, program_);
+    return covered;
 }
 
 /// The lanes whose events small spheres own.
@@ -237,7 +240,7 @@ HWY_INLINE void Kernel::add_small_spheres(const Batch& batch, M met, Round& roun
                                           F& owner_magnitude) const {
     const M on_some = met & (batch.owner_index == U(is_small_sphere));
     if (!any(on_some)) return;
-    const Doubles ranks(batch.owner);
+    const Doubles& ranks = batch.sphere_ranks;
     Doubles x, y, z, radius, inverse, magnitude;
     for_each(on_some, [&](std::size_t lane) {
         const int rank = int(ranks[lane]);

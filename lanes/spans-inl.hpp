@@ -24,14 +24,24 @@ struct Line {
 /// The rays of one step.
 struct Rays {
     Line world;
-    F largest;     // max |coordinate| of the origin
-    F birth;       // M where the ray was born, at least `largest`
-    F sure_start;  // before this, list and place disagree; solids' own sizes aside
-    F thin;        // chords shorter than this may be none; sizes and distances aside
-    F t_max;
-    F margin;  // crossings behind the event up to here have a say in its lists
+    F largest;  // max |coordinate| of the origin
+    F birth;    // M where the ray was born, at least `largest`
+    F t_max;    // of rays to lights
     U contacts;
     M active;
+
+    /// Before this, list and place disagree; solids' own sizes aside.
+    HWY_INLINE F sure_start(const Program& program) const {
+        return F(-2.0 * program.tolerance_units * unit_roundoff) * birth;
+    }
+    /// Chords shorter than this may be none; sizes and distances aside. No point of a solid is
+    /// farther away than 1.8 (largest + its magnitude).
+    HWY_INLINE F thin() const { return F(3.0 * thin_chord) * largest; }
+    /// Crossings behind the event up to here have a say in its lists.
+    HWY_INLINE F margin(const Program& program) const {
+        return F(1e-6) * (largest + F(program.largest_magnitude)) +
+               F(1e3 * program.contact_tolerance);
+    }
 };
 
 /// What a line has inside a convex shape: (t0, t1), through face0 in and face1 out.
@@ -226,8 +236,8 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     const F start = max(span.t0, F(0.0));
     // Seldom: a chord about as thin as the tolerance, or a start at which list and place disagree
     // by more than rounding.
-    const M thin = enters & (span.t1 - start < rays.thin + F(solid.thin));
-    const F sure_start = rays.sure_start - F(solid.sure_start);
+    const M thin = enters & (span.t1 - start < rays.thin() + F(solid.thin));
+    const F sure_start = rays.sure_start(program) - F(solid.sure_start);
     const M astray =
         but_not((inside & (span.t1 < sure_start)) | (enters & (span.t0 < sure_start)), has_contact);
     if (any(thin | astray))
@@ -240,13 +250,14 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
 }
 
 /// The lanes whose rays meet a sphere before what is nearest so far, or not far behind it.
-HWY_INLINE M meet_sphere(const Rays& rays, const geom::Vec3& center, double radius, F nearest) {
+HWY_INLINE M meet_sphere(const Program& program, const Rays& rays, const geom::Vec3& center,
+                         double radius, F nearest) {
     const F3 e = rays.world.origin - F3(center);
     const F b = dot(e, rays.world.direction);
     const F3 f = e - b * rays.world.direction;
     const F room = F(radius * radius) - dot(f, f);
     // The ray comes in at -b - sqrt(room).
-    const F beyond = b + (nearest * F(1.0 + 1e-6) + rays.margin);
+    const F beyond = b + (nearest * F(1.0 + 1e-6) + rays.margin(program));
     return (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
            ((F(0.0) < beyond) | (beyond * beyond < room));
 }

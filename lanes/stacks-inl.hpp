@@ -27,30 +27,22 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
     rays.active = first_lanes(batch.size);
     rays.world.origin = {numbers(Stack::ox), numbers(Stack::oy), numbers(Stack::oz)};
     rays.world.direction = {numbers(Stack::dx), numbers(Stack::dy), numbers(Stack::dz)};
-    rays.world.squared_length = F(1.0);
-    rays.t_max = is_shadow ? numbers(Stack::t_max) : F(infinity);
+    if (is_shadow) rays.t_max = numbers(Stack::t_max);
     rays.largest =
         max(max(abs(rays.world.origin.x), abs(rays.world.origin.y)), abs(rays.world.origin.z));
     batch.code = words(Stack::code);
     rays.birth = max(as_doubles(batch.code & U(RayCode::birth_mask)), rays.largest);
     batch.code = batch.code & U(~RayCode::birth_mask);
-    rays.sure_start = F(-2.0 * program_.tolerance_units * unit_roundoff) * rays.birth;
-    // No point of a solid is farther away than 1.8 (largest + its magnitude).
-    rays.thin = F(3.0 * thin_chord) * rays.largest;
-    rays.margin = F(1e-6) * (rays.largest + F(program_.largest_magnitude)) +
-                  F(1e3 * program_.contact_tolerance);
     rays.contacts = words(Stack::contacts);
-    batch.weight = is_shadow ? F(1.0) : numbers(Stack::weight);
-    if (has_colour(is_shadow)) {
+    // What nobody asks for is not even set.
+    if (!is_shadow) batch.weight = numbers(Stack::weight);
+    if (has_colour(is_shadow))
         batch.throughput = {numbers(Stack::red), numbers(Stack::green), numbers(Stack::blue)};
-    } else {
-        batch.throughput = {batch.weight, batch.weight, batch.weight};
-    }
-    batch.way_before = program_.attenuates ? numbers(Stack::way) : F(0.0);
-    batch.key = has_key(is_shadow) ? words(Stack::key) : U(0);
+    if (program_.attenuates) batch.way_before = numbers(Stack::way);
+    if (has_key(is_shadow)) batch.key = words(Stack::key);
     for (int w = 0; w < program_.words; ++w)
         batch.inside.word[w] = words(Stack::Field(Stack::inside + w));
-    batch.sphere_contacts = program_.groups.empty() ? U(0) : words(Stack::sphere_contacts);
+    if (!program_.groups.empty()) batch.sphere_contacts = words(Stack::sphere_contacts);
     batch.is_mirrored = is_shadow ? no_lanes() : shares(batch.code, U(RayCode::reflected));
 }
 

@@ -29,7 +29,8 @@ Counts Kernel::run() {
             continue;
         }
         RayStack& rays = stacks_.rays;
-        if (rays.size() < lanes) host_.more_rays(rays, lanes - rays.size());
+        // Some more than a step takes: to add them has a cost of its own.
+        if (rays.size() < lanes) host_.more_rays(rays, 4 * lanes);
         if (rays.size() > 0) {
             step(rays, false);
         } else if (stacks_.shadows.size() > 0) {
@@ -43,10 +44,10 @@ Counts Kernel::run() {
 void Kernel::step(RayStack& stack, bool is_shadow) {
     Batch batch;
     take(batch, stack, is_shadow);
-    approach(batch);
-    if (!list_event(batch)) {
-        find_stretches(batch);
-        find_event(batch);
+    if (Findings found; approach(batch, found), !list_event(batch, found)) {
+        Findings whole;
+        find_stretches(batch, whole);
+        find_event(batch, whole);
     }
     mark_ties(batch);
     if (any(batch.unsure)) hand_over(batch, stack);
@@ -75,16 +76,15 @@ HWY_INLINE void Kernel::hand_over(Batch& batch, RayStack& stack) {
     });
     batch.rays.active = but_not(batch.rays.active, batch.unsure);
     batch.met = but_not(batch.met, batch.unsure);
-    batch.false_crossings = only(batch.rays.active, batch.false_crossings);
 }
 
 HWY_INLINE void Kernel::count_event(Batch& batch) {
     const Rays& rays = batch.rays;
     counts_.segments += batch.size;
     counts_.true_crossings += count(batch.met);
-    if (const M some = rays.active & (F(0.0) < batch.false_crossings); any(some)) {
+    if (batch.has_passed) {
         const Doubles skipped(batch.false_crossings);
-        for_each(some, [&](std::size_t lane) {
+        for_each(rays.active & (F(0.0) < batch.false_crossings), [&](std::size_t lane) {
             counts_.false_crossings += std::uint64_t(skipped[lane]);
         });
     }
@@ -104,45 +104,45 @@ HWY_INLINE void Kernel::count_event(Batch& batch) {
 
 /// What is met: the surface of the stronger of the two solids, or one that is always met.
 HWY_INLINE void Kernel::tell_surfaces(Batch& batch) {
-    const Top &before = batch.before_top, &after = batch.after_top;
-    const M met = batch.met;
-    batch.by_surface = met & (F(0.0) <= batch.surface);
-    const M member_met = but_not(met, batch.by_surface);
-    const M after_owns = before.rank < after.rank;
-    const M clear =
-        program_.has_dressed
-            ? but_not(member_met, select_mask(after_owns, after.dressed, before.dressed))
-            : member_met;
+    const Medium &before = batch.medium_before, &after = batch.medium_after;
+    // A ray that is too close to call is met no more.
+    batch.by_surface = batch.by_surface & batch.met;
+    batch.same = batch.same & batch.met;
+    const M member_met = but_not(batch.met, batch.by_surface);
+    const M clear = program_.has_dressed ? but_not(member_met, batch.owner_dressed) : member_met;
     // Nothing is there: the same solid before and after, or like media under a clear skin.
     const M alike =
         program_.ior_tells_medium ? before.ior == after.ior : before.medium == after.medium;
-    batch.same = member_met & (before.rank == after.rank);
     batch.nothing = batch.same | (clear & alike);
     batch.glass = but_not(clear, batch.nothing);
-    batch.dressed = but_not(but_not(met, batch.nothing), batch.glass);
+    batch.dressed = but_not(but_not(batch.met, batch.nothing), batch.glass);
     batch.painted = no_lanes();
     if (any(batch.by_surface)) {
-        for (std::size_t i = 0; i < program_.solids.size(); ++i) {
-            if (program_.solids[i].paint >= 0)
-                batch.painted =
-                    batch.painted | (batch.by_surface & (batch.surface == F(double(i))));
+        if (program_.all_painted) {
+            batch.painted = batch.by_surface;
+        } else {
+            for (std::size_t i = program_.listed_solids; i < program_.solids.size(); ++i) {
+                if (program_.solids[i].paint >= 0)
+                    batch.painted =
+                        batch.painted | (batch.by_surface & (batch.owner_index == U(i)));
+            }
         }
         batch.dressed = but_not(batch.dressed, batch.painted);
     }
-    batch.owner = select(batch.by_surface, F(double(no_rank)), max(before.rank, after.rank));
-    batch.face =
-        select(batch.by_surface, batch.surface_face, select(after_owns, after.face, before.face));
 }
 
 /// Straight on, where nothing is, and for light that goes to a lamp.
 HWY_INLINE void Kernel::pass(Batch& batch, RayStack& stack, M which) {
     Child child;
     child.direction = batch.rays.world.direction;
-    child.light = batch.throughput;
-    child.weight = batch.weight;
-    child.t_max = batch.rays.t_max - batch.t;
-    child.way = select(batch.nothing, batch.way_before + batch.t, F(0.0));
-    child.key = batch.key;
+    if (has_colour(batch.is_shadow)) child.light = batch.throughput;
+    if (batch.is_shadow) {
+        child.t_max = batch.rays.t_max - batch.t;
+    } else {
+        child.weight = batch.weight;
+    }
+    if (program_.attenuates) child.way = select(batch.nothing, batch.way_before + batch.t, F(0.0));
+    if (has_key(batch.is_shadow)) child.key = batch.key;
     child.code = (batch.code & U(~RayCode::level_mask)) | batch.level;
     if (!batch.is_shadow) child.code = child.code | U(RayCode::straight);
     push(stack, batch, which, child, batch.after, batch.is_shadow);

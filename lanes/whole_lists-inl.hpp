@@ -14,28 +14,32 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 
 /// The event: the nearest true crossing, what coincides with it, and the lists just before and
 /// just after, from all stretches.
-inline void Kernel::find_event(Batch& batch) {
+inline void Kernel::find_event(Batch& batch, const Findings& found) {
     const Rays& rays = batch.rays;
-    const F nearest = batch.nearest.t;
+    const F nearest = found.nearest.t;
     batch.met = rays.active & (nearest < F(infinity));
-    if (batch.is_shadow) batch.met = batch.met & (nearest <= rays.t_max);
-    batch.t = select(batch.met, nearest, min(rays.t_max, F(1e300)));
-    make_lists(batch);
+    F farthest(1e300);
+    if (batch.is_shadow) {
+        batch.met = batch.met & (nearest <= rays.t_max);
+        farthest = min(rays.t_max, farthest);
+    }
+    batch.t = select(batch.met, nearest, farthest);
+    make_lists(batch, found.nearest.index);
 }
 
 /// The lists anew, from all stretches: what lies within the tolerance of the event counts together.
-void Kernel::make_lists(Batch& batch) {
+void Kernel::make_lists(Batch& batch, U nearest) {
+    batch.has_passed = true;
     Top before(program_.outside), after(program_.outside);
     const Rays& rays = batch.rays;
     const F t = batch.t;
     for (int w = 0; w < program_.words; ++w) batch.before.word[w] = batch.after.word[w] = U(0);
     batch.contacts = U(0);
-    batch.surface = F(double(no_rank));
-    batch.surface_face = F(0.0);
+    Owner surface;
     batch.false_crossings = F(0.0);
     const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
     F pivot;
-    const F reach = bounds_of_event(batch, pivot);
+    const F reach = bounds_of_event(batch, nearest, pivot);
     const F far = rays.largest + t;
     const F common = max(units * (far + pivot), least);
     F low = t - common, high = t + common;
@@ -79,23 +83,16 @@ void Kernel::make_lists(Batch& batch) {
         batch.before.word[word] = batch.before.word[word] | only(is_before, bit);
         batch.after.word[word] = batch.after.word[word] | only(is_after, bit);
         if (solid.rank < 0) {
-            batch.surface = select(once, F(double(i)), batch.surface);
-            batch.surface_face = select(once, face, batch.surface_face);
+            surface.own(once, i, face);
             continue;
         }
         // Solids stand in the order of their ranks.
-        before.cover(is_before, solid.rank, program_);
-        after.cover(is_after, solid.rank, program_);
-        if (has_faces(solid.kind)) {
-            before.face = select(is_before, face, before.face);
-            after.face = select(is_after, face, after.face);
-        }
+        before.cover(is_before, solid.rank, face, program_);
+        after.cover(is_after, solid.rank, face, program_);
     }
     if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
     batch.unsure = batch.unsure | (batch.met & torn);
-    batch.before_top = before;
-    batch.after_top = after;
-    name_owner(batch);
+    name_owner(batch, surface, before, after);
 }
 
 /// The same for small spheres, lane by lane.

@@ -114,13 +114,15 @@ void FilmPasses::follow_in_lanes(Worker& worker, const Region& window, const Pla
         for (int x = window.x0; x < window.x1; ++x) {
             const std::size_t first = worker.samples.size();
             plan(x, y, worker.samples);
-            int number = film_.at(x, y).samples;
-            const auto even = std::uint32_t(halves.size());
-            halves.push_back({&film_.at(x, y), false});
-            halves.push_back({&film_.at(x, y), true});
-            for (std::size_t i = first; i < worker.samples.size(); ++i, ++number) {
-                Sample& sample = worker.samples[i];
-                sample.target = even + std::uint32_t(number % 2);
+            Pixel& pixel = film_.at(x, y);
+            const std::size_t count = worker.samples.size() - first;
+            const auto begin = std::uint32_t(halves.size());
+            const auto is_odd = std::uint32_t(pixel.samples % 2);  // the first
+            for (std::uint32_t i = 0; i < std::min<std::size_t>(count, 2); ++i)
+                halves.push_back({&pixel, (is_odd ^ i) != 0});
+            for (std::size_t i = 0; i < count; ++i) {
+                Sample& sample = worker.samples[first + i];
+                sample.target = begin + std::uint32_t(i % 2);
                 halves[sample.target].weight += sample.weight;
                 ++halves[sample.target].count;
             }
@@ -139,7 +141,6 @@ void FilmPasses::empty_into_film(Worker& worker) {
     const double unit = 1.0 / std::get<lanes::Program>(program_).units;
     for (std::size_t i = 0; i < halves.size(); ++i) {
         const Half& half = halves[i];
-        if (half.count == 0) continue;
         const std::int64_t* sum = &worker.host->sums()[4 * i];
         const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit, double(sum[2]) * unit};
         half.pixel->add_half(half.is_odd, light, half.weight, half.count);

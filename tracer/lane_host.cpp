@@ -125,27 +125,39 @@ void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
 void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
     using Stack = lanes::RayStack;
     const std::size_t count = std::min(wanted, samples_->size() - next_sample_);
+    if (count == 0) return;
     const std::size_t first = stack.grow(count);
     for (int axis = 0; axis < 3; ++axis)
         stack.fill(Stack::Field(Stack::ox + axis), first, start_.origin[axis]);
     stack.fill(Stack::weight, first, start_.weight);
-    stack.fill(Stack::way, first, start_.way_before);
+    if (program_.attenuates) stack.fill(Stack::way, first, start_.way_before);
     for (int w = 0; w < program_.words; ++w)
         stack.fill_words(Stack::Field(Stack::inside + w), first, start_.inside[std::size_t(w)]);
     stack.fill_words(Stack::contacts, first, start_.contacts);
-    stack.fill_words(Stack::sphere_contacts, first, start_.sphere_contacts);
+    if (!program_.groups.empty())
+        stack.fill_words(Stack::sphere_contacts, first, start_.sphere_contacts);
+    const scene::Camera& camera = scene_.source.camera;
+    const Sample* const samples = &(*samples_)[next_sample_];
+    double* const direction[3] = {stack[Stack::dx] + first, stack[Stack::dy] + first,
+                                  stack[Stack::dz] + first};
     for (std::size_t i = 0; i < count; ++i) {
-        const Sample& sample = (*samples_)[next_sample_ + i];
-        const Vec3 direction =
-            camera_ray(scene_.source.camera, sample.x, sample.y, options_.width, options_.height)
+        const Vec3 towards =
+            camera_ray(camera, samples[i].x, samples[i].y, options_.width, options_.height)
                 .direction;
+        for (int axis = 0; axis < 3; ++axis) direction[axis][i] = towards[axis];
+    }
+    if (!program_.grey) {
         for (int axis = 0; axis < 3; ++axis) {
-            stack[Stack::Field(Stack::dx + axis)][first + i] = direction[axis];
-            stack[Stack::Field(Stack::red + axis)][first + i] = sample.weight;
+            double* const light = stack[Stack::Field(Stack::red + axis)] + first;
+            for (std::size_t i = 0; i < count; ++i) light[i] = samples[i].weight;
         }
-        stack.word(Stack::code)[first + i] =
-            sample.target | lanes::RayCode::of_birth(start_.birth_magnitude);
-        stack.word(Stack::key)[first + i] = sample.key;
+    }
+    std::uint64_t* const code = stack.word(Stack::code) + first;
+    const std::uint64_t birth = lanes::RayCode::of_birth(start_.birth_magnitude);
+    for (std::size_t i = 0; i < count; ++i) code[i] = samples[i].target | birth;
+    if (program_.uses_keys) {
+        std::uint64_t* const key = stack.word(Stack::key) + first;
+        for (std::size_t i = 0; i < count; ++i) key[i] = samples[i].key;
     }
     next_sample_ += count;
     statistics_.camera_rays += count;

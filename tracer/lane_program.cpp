@@ -19,6 +19,8 @@ struct CannotHave {
 /// Spheres smaller than this share of the scene stand in groups where there are many.
 constexpr double small_sphere = 0.25;
 constexpr std::size_t few_solids = 8;
+/// Of solids that reach farther than this share of the scene, some ray of a step comes near each.
+constexpr double large_solid = 0.3;
 /// Tolerances that differ by no more than this factor make the same picture (docs/numerics.md).
 constexpr double alike_magnitudes = 8.0;
 
@@ -117,6 +119,24 @@ lanes::Member make_member(const RenderScene& scene, int index,
     member.medium = std::uint32_t(alike - media.begin());
     if (alike == media.end()) media.push_back(&interior);
     return member;
+}
+
+/// Whether the largest magnitude may stand for all. A tolerance goes by the sum of a crossing's
+/// distance, its origin's coordinates and a magnitude; the first two together are no less than the
+/// coordinates of the crossing, so than the least ones on the solid.
+bool are_tolerances_alike(const RenderScene& scene, double largest) {
+    int half_spaces = 0;
+    return std::ranges::all_of(scene.parts, [&](const Part& part) {
+        // The larger of two magnitudes counts: so one half-space, of whatever magnitude, has no
+        // say.
+        if (std::holds_alternative<geom::Plane>(part.shape.shape()) && ++half_spaces == 1)
+            return true;
+        const geom::Bounds& bounds = part.shape.bounds();
+        double least = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            least = std::max({least, bounds.low[axis], -bounds.high[axis]});
+        return largest + least <= alike_magnitudes * (part.shape.magnitude() + least);
+    });
 }
 
 bool ior_tells_medium(const lanes::Program& program) {
@@ -225,6 +245,8 @@ void make_paints(const RenderScene& scene, lanes::Program& program) {
         solid.paint = int(program.paints.size());
         program.paints.push_back(*paint);
     }
+    program.all_painted = std::ranges::all_of(
+        program.solids, [](const auto& solid) { return solid.rank >= 0 || solid.paint >= 0; });
 }
 
 /// Whether a ray's light is its weight in all channels: nothing but clear glass and paints, and no
@@ -232,10 +254,18 @@ void make_paints(const RenderScene& scene, lanes::Program& program) {
 bool is_grey(const lanes::Program& program, const Options& options) {
     const auto* contrast = std::get_if<ContrastSampling>(&options.sampling);
     return !program.attenuates && !program.has_dressed && !(contrast && contrast->method == 2) &&
-           options.filter == PixelFilter::box &&
-           std::ranges::all_of(program.solids, [](const auto& solid) {
-               return solid.rank >= 0 || solid.paint >= 0;
-           });
+           options.filter == PixelFilter::box && program.all_painted;
+}
+
+lanes::Way way_of(const lanes::Solid& solid) {
+    using lanes::Kind;
+    using lanes::Way;
+    if (lanes::is_plain_ball(solid)) return Way::ball;
+    if (lanes::is_plain_floor(solid)) return Way::floor;
+    if (!lanes::is_plain(solid)) return Way::any;
+    if (solid.kind == Kind::cylinder && !solid.placed) return Way::cylinder;
+    if (solid.kind == Kind::box) return Way::box;
+    return solid.kind == Kind::lathe && solid.is_stepped ? Way::stepped_lathe : Way::any;
 }
 
 lanes::Program make(const RenderScene& scene, const Options& options) {
@@ -291,16 +321,9 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         program.groups_middle = 0.5 * (bounds.low + bounds.high);
         program.groups_reach = sphere_around(bounds, program.groups_middle);
     }
-    // A tolerance goes by the larger of two magnitudes: so one half-space, of whatever magnitude,
-    // has no say.
-    double least_magnitude = geom::infinity;
-    int half_spaces = 0;
-    for (const Part& part : scene.parts) {
+    for (const Part& part : scene.parts)
         program.largest_magnitude = std::max(program.largest_magnitude, part.shape.magnitude());
-        if (std::holds_alternative<geom::Plane>(part.shape.shape()) && ++half_spaces == 1) continue;
-        least_magnitude = std::min(least_magnitude, part.shape.magnitude());
-    }
-    program.one_tolerance = program.largest_magnitude <= alike_magnitudes * least_magnitude;
+    program.one_tolerance = are_tolerances_alike(scene, program.largest_magnitude);
     int place = int(members.size());
     for (lanes::Solid& solid : program.solids) solid.place = solid.rank >= 0 ? solid.rank : place++;
     program.words = (place + 63) / 64;
@@ -308,10 +331,11 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     for (lanes::Solid& solid : program.solids) {
         if (solid.rank >= 0) solid.stronger = program.members[std::size_t(solid.rank)].stronger;
     }
+    program.listed_solids = std::size_t(
+        std::ranges::count_if(program.solids, [](const auto& solid) { return solid.rank >= 0; }));
+    for (std::size_t rank = 0; rank < members.size(); ++rank) mark(program.member_bits, rank);
     program.has_surfaces =
         std::ranges::any_of(program.solids, [](const auto& solid) { return solid.rank < 0; });
-    program.has_inverse =
-        std::ranges::any_of(program.solids, [](const auto& solid) { return solid.inverse; });
     program.has_faces = std::ranges::any_of(
         program.solids, [](const auto& solid) { return lanes::has_faces(solid.kind); });
     program.has_dressed =
@@ -321,7 +345,10 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         auto& list =
             lanes::is_foreign(program.solids[i].kind) ? program.foreign : program.cheap_first;
         list.push_back(int(i));
-        if (!lanes::is_plain_ball(program.solids[i])) program.cornered.push_back(int(i));
+        lanes::Solid& solid = program.solids[i];
+        solid.way = way_of(solid);
+        solid.is_large = solid.reach > large_solid * scene.size;
+        (solid.way == lanes::Way::ball ? program.balls : program.cornered).push_back(int(i));
     }
     std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
         const lanes::Kind kind = program.solids[std::size_t(i)].kind;
