@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -24,13 +26,24 @@ std::vector<Vec3> as_points(const std::vector<double>& numbers) {
     return points;
 }
 
-/// The OBJ library reads "nan" as 0.
-void refuse_non_numbers(const std::filesystem::path& path) {
+/// What the OBJ library takes without a word: "nan" and what is missing as 0, large indices as
+/// others.
+void refuse_nonsense(const std::filesystem::path& path) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
         line.resize(std::min(line.find('#'), line.size()));
         if (line.starts_with("v ") && line.find_first_of("nN") != std::string::npos) {
             fail_to_load(path, "a vertex of it is not finite: " + line);
+        }
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word == "v" && !(words >> word && words >> word && words >> word))
+            fail_to_load(path, "a vertex of it has fewer than three coordinates: " + line);
+        if (word != "f") continue;
+        while (words >> word) {
+            if (word.substr(0, word.find('/')).size() > 10)
+                fail_to_load(path, "a face of it uses a vertex of an impossible number: " + line);
         }
     }
 }
@@ -38,7 +51,7 @@ void refuse_non_numbers(const std::filesystem::path& path) {
 }  // namespace
 
 TriangleSoup load_obj(const std::filesystem::path& path) {
-    refuse_non_numbers(path);
+    refuse_nonsense(path);
     std::ifstream file(path);
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
@@ -55,7 +68,11 @@ TriangleSoup load_obj(const std::filesystem::path& path) {
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
             TriangleIndices triangle, normals;
             for (std::size_t k = 0; k < 3; ++k) {
-                triangle[k] = static_cast<std::uint32_t>(corners[i + k].vertex_index);
+                const int index = corners[i + k].vertex_index;
+                if (index < 0 || std::size_t(index) >= soup.positions.size())
+                    fail_to_load(path, fmt::format("a face of it uses vertex {}, but it has {}",
+                                                   index + 1, soup.positions.size()));
+                triangle[k] = static_cast<std::uint32_t>(index);
                 normals[k] = static_cast<std::uint32_t>(corners[i + k].normal_index);  // -1: none
             }
             soup.triangles.push_back(triangle);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cctype>
@@ -62,7 +63,7 @@ private:
             std::istringstream line(header_line());
             std::string word, name, type;
             line >> word;
-            if (word == "end_header") return;
+            if (word == "end_header") return require_coordinates();
             if (word == "format") {
                 line >> name;
                 text_ = name == "ascii";
@@ -87,6 +88,17 @@ private:
                 elements_.back().properties.push_back({name, type_named(type), list_count});
             } else if (word != "comment" && word != "obj_info") {
                 fail_to_load(path_, "its header has a line that begins with '" + word + "'");
+            }
+        }
+    }
+
+    void require_coordinates() const {
+        for (const Element& element : elements_) {
+            if (element.name != "vertex") continue;
+            for (const std::string axis : {"x", "y", "z"}) {
+                if (std::ranges::find(element.properties, axis, &Property::name) ==
+                    element.properties.end())
+                    fail_to_load(path_, "its vertices have no " + axis);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tao/pegtl.hpp>
 
 #include "grammar/messages.hpp"
@@ -205,6 +206,26 @@ std::string found_at(const Span& text, std::size_t offset) {
     return fmt::format("'{}'", all.substr(offset, end - offset));
 }
 
+/// Where the innermost comment begins that the text does not end.
+std::size_t open_comment(const Span& text) {
+    const std::string_view all(text.source->text().data(), text.end);
+    std::vector<std::size_t> open;
+    for (std::size_t i = text.begin; i < all.size(); ++i) {
+        const auto two = all.substr(i, 2);
+        if (two == "/*") {
+            open.push_back(i++);
+        } else if (two == "*/" && !open.empty()) {
+            open.pop_back();
+            ++i;
+        } else if (two == "//" && open.empty()) {
+            i = std::min(all.find('\n', i), all.size());
+        } else if (all[i] == '"' && open.empty()) {
+            for (++i; i < all.size() && all[i] != '"'; ++i) i += all[i] == '\\';
+        }
+    }
+    return open.empty() ? text.begin : open.back();
+}
+
 [[noreturn]] void throw_syntax_error(const Span& text, std::size_t offset, std::string message,
                                      const SyntaxNode* unclosed) {
     const auto found = found_at(text, offset);
@@ -225,8 +246,9 @@ std::string found_at(const Span& text, std::size_t offset) {
         }
     }
     SourceError error(span, message);
-    if (unclosed && message.starts_with("expected '")) {
-        const auto at = text.source->location(unclosed->begin);
+    const bool is_comment = message.starts_with(g::expected<g::comment_end>);
+    if ((unclosed || is_comment) && message.starts_with("expected '")) {
+        const auto at = text.source->location(is_comment ? open_comment(text) : unclosed->begin);
         error.add_note({Diagnostic::Severity::note,
                         {},
                         fmt::format("it opened at {}:{}:{}", at.file, at.line, at.column),

@@ -142,6 +142,39 @@ TEST_CASE("a mesh file that no object uses is never loaded, one that many use on
     }
 }
 
+TEST_CASE("a mesh file that means nothing sound says why", "[lang]") {
+    const auto [text, extension, why] = GENERATE(table<std::string, std::string, std::string>({
+        {"v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "obj", "fewer than three coordinates: v 0 0"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n", "obj", "impossible number"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "obj", "uses vertex 9, but it has 3"},
+        {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nelement "
+         "face 1\nproperty list uchar int vertex_indices\nend_header\n0 0\n1 0\n0 1\n3 0 1 2\n",
+         "ply", "its vertices have no z"},
+    }));
+    const Folder folder;
+    folder.write("shape." + extension, text);
+    const auto scene =
+        folder.write("s.scene", "#version 3.7;\nmesh { file \"shape." + extension + "\" }");
+    CHECK_THROWS_WITH(interpret_file(scene), Catch::Contains(why));
+}
+
+TEST_CASE("an unclosed comment is shown where it opens", "[lang]") {
+    const Folder folder;
+    const auto [text, opens] = GENERATE(table<std::string, std::string>({
+        {"sphere { 0, 1 } // no /* here\n  /* one\n", ":2:3"},
+        {"#debug \"/*\"\nbox { 0, 1 /* a /* b */\n", ":2:12"},
+        {"/* a */ /* b\n /* c\n", ":2:2"},
+    }));
+    try {
+        interpret_file(folder.write("s.scene", text));
+        FAIL("no error");
+    } catch (const SourceError& e) {
+        CHECK_THAT(e.primary().text, Catch::Contains("to end this comment"));
+        REQUIRE(e.notes().size() == 1);
+        CHECK_THAT(e.notes()[0].text, Catch::EndsWith("s.scene" + opens));
+    }
+}
+
 TEST_CASE("includes carry their folder, their place in errors and their locals", "[lang]") {
     const Folder folder;
     folder.write("part.inc", "#local Hidden = 1; #declare Shown = 2;\nsphere { 0, 1 }\n");
