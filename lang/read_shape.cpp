@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -109,6 +110,8 @@ geom::Lathe read_lathe(Cursor& cursor, const Span& span) {
     const auto count = read_count(cursor);
     std::vector<geom::Vec2> points;
     for (std::size_t i = 0; i < count; ++i) points.push_back(cursor.vector2());
+    if (!points.empty() && std::ranges::all_of(points, [](auto& p) { return p.x == 0.0; }))
+        throw SourceError(span, "this lathe has no extent: its points lie on the axis");
     try {
         return geom::Lathe(spline, std::move(points));
     } catch (const std::invalid_argument& error) {
