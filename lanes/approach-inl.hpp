@@ -33,6 +33,7 @@ HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
             case Way::box:
                 approach_box(batch, found, std::size_t(i));
                 break;
+            case Way::cup:
             case Way::stepped_lathe:
                 approach_lathe(batch, found, std::size_t(i));
                 break;
@@ -190,7 +191,8 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
         batch.crossing[i] = F(infinity);
         return;
     }
-    const NextCrossings next = next_crossings(program_, solid, rays);
+    const NextCrossings next = solid.way == Way::cup ? next_of_cup(program_, solid, rays)
+                                                     : next_crossings(program_, solid, rays);
     const F t = select(inside, next.leave, next.enter),
             end = select(inside, next.enter, next.leave);
     found.doubt = found.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));

@@ -31,7 +31,7 @@ inline constexpr double thin_chord = 1e-6;
 enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
 
 /// By which code it is asked for its next crossing.
-enum class Way { ball, floor, cylinder, box, stepped_lathe, any };
+enum class Way { ball, floor, cylinder, box, cup, stepped_lathe, any };
 
 /// Whether it is worth a look first whether a ray comes near it.
 inline bool is_costly(Kind kind) {
@@ -50,6 +50,12 @@ inline bool has_faces(Kind kind) { return kind != Kind::sphere && kind != Kind::
 struct Piece {
     double a, b, c;
     double low_radius, high_radius, low_height, high_height;
+};
+
+/// A lathe that is a cylinder without another one that is open at its top, and the faces' numbers.
+struct Cup {
+    double outer_radius, inner_radius, base, floor, top;
+    int base_face, outer_face, top_face, inner_face, floor_face;
 };
 
 /// A solid as the kernel sees it, in a frame of its own if `placed`. Only the numbers of its kind
@@ -81,6 +87,8 @@ struct Solid {
     double length = 0.0;              // cylinder
     std::vector<Piece> pieces;        // lathe, about its y axis
     bool is_stepped = false;          // lathe: all pieces are rings or cylinders
+    bool is_cup = false;              // lathe
+    Cup cup{};                        // if it is one
     double height = 0.0, size = 0.0;  // lathe: halfway up; of its profile
 };
 
@@ -100,12 +108,16 @@ inline bool is_plain_floor(const Solid& solid) {
            solid.to_camera && solid.to_mirrors && solid.to_lights;
 }
 
+/// Room for rounding to single precision, in numbers up to 1: sums of a few products.
+inline constexpr double group_slack = 1e-5;
+
 /// Eight small spheres and a sphere around them.
 struct Group {
     static constexpr int size = 8;
-    geom::Vec3 center;
-    double radius;  // of the sphere around, with a margin
-    double power;   // radius^2 - |center|^2, with room for rounding
+    // Of the sphere around, from the middle of the one around all groups and in units of its
+    // radius, with `group_slack`.
+    float x_from_middle, y_from_middle, z_from_middle, reach;
+    float power;  // reach^2 - |center|^2
     std::array<double, size> x, y, z, r;
     std::array<int, size> rank;  // `no_rank` where the group has fewer
 };

@@ -8,33 +8,53 @@
 #endif
 
 #include "lanes/kernel-inl.hpp"
+#include "lanes/singles-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// Lanes whose rays meet a group's sphere before what is nearest so far.
-struct GroupTest {
-    F reach;  // -|o|^2, with room for rounding
-    F along;  // o . d
-    F margin;
-    const Rays& rays;
-
-    HWY_INLINE GroupTest(const Program& program, const Rays& of)
-        : reach(F(-1.0 + 1e-14) * dot(of.world.origin, of.world.origin)),
-          along(dot(of.world.origin, of.world.direction)),
-          margin(of.margin(program)),
-          rays(of) {}
-
-    HWY_INLINE M met(const Group& group, F limit) const {
-        const F3 c(group.center);
-        const F b = along - dot(c, rays.world.direction);
-        const F b2 = b * b;
-        // r^2 - |o - c|^2 + b^2
-        const F twice = dot(F3(2.0 * group.center), rays.world.origin);
-        const F room = ((F(group.power) + reach) + twice) + b2;
-        const F beyond = b + (limit + F(group.radius));
-        return (F(0.0) < room) & ((b < F(0.0)) | (b2 < room)) & (F(0.0) < beyond);
+/// Tells lanes whose rays meet a group's sphere before what is nearest so far, and some that just
+/// do not. In single precision, for rays that meet the sphere around all groups: seen from its
+/// middle, and in units of its radius, no number that decides is larger than 1.
+class GroupTest {
+public:
+    HWY_INLINE GroupTest(const Program& program, const Rays& rays, F nearest)
+        : per_reach_(1.0 / program.groups_reach), margin_(rays.margin(program)) {
+        const F3 d = rays.world.direction;
+        const F3 e = per_reach_ * (rays.world.origin - F3(program.groups_middle));
+        along_ = dot(e, d);
+        const F3 foot = e - along_ * d;
+        dx_ = singles(d.x);
+        dy_ = singles(d.y);
+        dz_ = singles(d.z);
+        px_ = singles(foot.x);
+        py_ = singles(foot.y);
+        pz_ = singles(foot.z);
+        lack_ = singles(dot(foot, foot));
+        start_ = singles(along_ - F(group_slack) * (F(1.0) + abs(along_)));
+        come_near(nearest);
     }
+    HWY_INLINE void come_near(F nearest) {
+        const F limit = min(along_ + per_reach_ * (nearest * F(1.0 + 1e-6) + margin_), F(far_away));
+        limit_ = singles(limit + F(group_slack) * (F(1.0) + abs(limit)));
+    }
+
+    /// A bit for each lane.
+    HWY_INLINE std::uint32_t met(const Group& group) const {
+        const S x = singles(group.x_from_middle), y = singles(group.y_from_middle),
+                z = singles(group.z_from_middle), r = singles(group.reach);
+        const S along = x * dx_ + y * dy_ + z * dz_;
+        const S beside = x * px_ + y * py_ + z * pz_;
+        // r^2 - |c - p|^2 + (c . d)^2
+        const S room = (singles(group.power) - lack_) + (beside + beside) + along * along;
+        return (singles(0.0f) < room) & (start_ < along + r) & (along - r < limit_);
+    }
+
+private:
+    static constexpr double far_away = 1e30;  // and yet a number in single precision
+
+    F per_reach_, margin_, along_;
+    S dx_, dy_, dz_, px_, py_, pz_, lack_, start_, limit_;
 };
 
 /// One ray, to be tried against as many spheres at once as a register has numbers.
@@ -161,17 +181,17 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
             }
         }
     };
-    const GroupTest test(program_, rays);
     F nearest = drawn ? load(near.at) : found.nearest.t;
-    F limit = nearest * F(1.0 + 1e-6) + test.margin;
+    GroupTest test(program_, rays, nearest);
+    const std::uint32_t lanes_near = bits(near_all);
     for (const Group& group : program_.groups) {
         all_drawn |= drawn;
         drawn = 0;
-        for_each(near_all & test.met(group, limit),
+        for_each(lanes_near & test.met(group),
                  [&](std::size_t lane) HWY_ATTR { try_group(group, lane); });
         if (!drawn) continue;
         nearest = load(near.at);
-        limit = nearest * F(1.0 + 1e-6) + test.margin;
+        test.come_near(nearest);
     }
     batch.unsure = batch.unsure | mask_of(doubtful);
     if (batch.near_spheres == 0) return;

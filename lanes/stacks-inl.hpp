@@ -8,6 +8,7 @@
 #endif
 
 #include "lanes/kernel-inl.hpp"
+#include "lanes/packing-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {

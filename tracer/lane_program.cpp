@@ -6,6 +6,7 @@
 
 #include "tracer/brightness.hpp"
 #include "tracer/interior_list.hpp"
+#include "tracer/lane_groups.hpp"
 #include "tracer/lane_solid.hpp"
 
 namespace meniscus::tracer {
@@ -150,56 +151,6 @@ bool ior_tells_medium(const lanes::Program& program) {
     return true;
 }
 
-/// Puts spheres that lie close together into groups of eight, by median splits.
-void group(std::vector<int> ranks, lanes::Program& program) {
-    const auto& members = program.members;
-    if (ranks.size() > std::size_t(lanes::Group::size)) {
-        geom::Bounds bounds;
-        for (const int rank : ranks) {
-            const geom::Vec3& c = members[std::size_t(rank)].center;
-            bounds.extend(geom::Bounds{c, c});
-        }
-        const geom::Vec3 size = bounds.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        std::ranges::sort(ranks, [&](int a, int b) {
-            const double x = members[std::size_t(a)].center[axis],
-                         y = members[std::size_t(b)].center[axis];
-            return x != y ? x < y : a < b;
-        });
-        // Whole groups on the left, so that few stay partly empty.
-        const std::size_t groups = (ranks.size() + lanes::Group::size - 1) / lanes::Group::size;
-        const auto middle = ranks.begin() + std::ptrdiff_t(groups / 2 * lanes::Group::size);
-        group({ranks.begin(), middle}, program);
-        group({middle, ranks.end()}, program);
-        return;
-    }
-    lanes::Group result{};
-    geom::Bounds bounds;
-    for (std::size_t i = 0; i < std::size_t(lanes::Group::size); ++i) {
-        const bool exists = i < ranks.size();
-        const lanes::Member* member = exists ? &members[std::size_t(ranks[i])] : nullptr;
-        result.x[i] = exists ? member->center.x : 0.0;
-        result.y[i] = exists ? member->center.y : 0.0;
-        result.z[i] = exists ? member->center.z : 0.0;
-        result.r[i] = exists ? member->radius : 0.0;  // a sphere of radius 0 is never hit
-        result.rank[i] = exists ? ranks[i] : lanes::no_rank;
-        if (!exists) continue;
-        bounds.extend(
-            geom::Bounds{member->center - member->radius, member->center + member->radius});
-    }
-    result.center = 0.5 * (bounds.low + bounds.high);
-    result.radius = 0.0;
-    for (const int rank : ranks) {
-        const lanes::Member& member = members[std::size_t(rank)];
-        result.radius =
-            std::max(result.radius, glm::length(member.center - result.center) + member.radius);
-    }
-    result.radius *= 1.0 + 1e-6;
-    const double squared = glm::dot(result.center, result.center);
-    result.power = result.radius * result.radius - (1.0 - 1e-14) * squared;
-    program.groups.push_back(result);
-}
-
 /// A colour that lets nothing through.
 const geom::Vec3* plain_colour(const scene::Pigment& pigment) {
     const auto* solid = std::get_if<scene::SolidColor>(&pigment.pattern);
@@ -265,7 +216,9 @@ lanes::Way way_of(const lanes::Solid& solid) {
     if (!lanes::is_plain(solid)) return Way::any;
     if (solid.kind == Kind::cylinder && !solid.placed) return Way::cylinder;
     if (solid.kind == Kind::box) return Way::box;
-    return solid.kind == Kind::lathe && solid.is_stepped ? Way::stepped_lathe : Way::any;
+    if (solid.kind == Kind::lathe && solid.is_stepped)
+        return solid.is_cup ? Way::cup : Way::stepped_lathe;
+    return Way::any;
 }
 
 lanes::Program make(const RenderScene& scene, const Options& options) {
@@ -313,14 +266,7 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
     if (program.solids.size() > std::size_t(lanes::most_solids))
         throw CannotHave{"more than " + std::to_string(lanes::most_solids) +
                          " solids beside small spheres"};
-    if (!small.empty()) {
-        group(std::move(small), program);
-        geom::Bounds bounds;
-        for (const lanes::Group& group : program.groups)
-            bounds.extend(geom::Bounds{group.center - group.radius, group.center + group.radius});
-        program.groups_middle = 0.5 * (bounds.low + bounds.high);
-        program.groups_reach = sphere_around(bounds, program.groups_middle);
-    }
+    if (!small.empty()) group_small_spheres(std::move(small), program);
     for (const Part& part : scene.parts)
         program.largest_magnitude = std::max(program.largest_magnitude, part.shape.magnitude());
     program.one_tolerance = are_tolerances_alike(scene, program.largest_magnitude);

@@ -1,6 +1,7 @@
 #include "tracer/lane_solid.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "geom/cylindrical.hpp"
 #include "geom/profile.hpp"
@@ -50,6 +51,43 @@ lanes::Solid foreign(bool is_convex) {
     return solid;
 }
 
+/// Whether a lathe's pieces make a cup, in whatever order; those along the axis bound nothing.
+std::optional<lanes::Cup> find_cup(const std::vector<lanes::Piece>& pieces) {
+    int base = -1, outer = -1, top = -1, inner = -1, floor = -1, count = 0;
+    for (int i = 0; i < int(pieces.size()); ++i) {
+        const lanes::Piece& piece = pieces[std::size_t(i)];
+        if (piece.high_radius == 0.0) continue;
+        ++count;
+        const bool is_ring = piece.a == 0.0, is_whole = piece.low_radius == 0.0;
+        if (!is_ring && piece.b != 0.0) return std::nullopt;
+        int& which = !is_ring        ? (piece.a > 0.0 ? outer : inner)
+                     : piece.b < 0.0 ? base
+                     : is_whole      ? floor
+                                     : top;
+        which = i;
+    }
+    if (count != 5 || std::min({base, outer, top, inner, floor}) < 0) return std::nullopt;
+    const auto at = [&](int i) -> const lanes::Piece& { return pieces[std::size_t(i)]; };
+    lanes::Cup cup{at(outer).high_radius,
+                   at(inner).high_radius,
+                   at(base).low_height,
+                   at(floor).low_height,
+                   at(top).low_height,
+                   base,
+                   outer,
+                   top,
+                   inner,
+                   floor};
+    const bool fits =
+        at(base).low_radius == 0.0 && at(base).high_radius == cup.outer_radius &&
+        at(top).low_radius == cup.inner_radius && at(top).high_radius == cup.outer_radius &&
+        at(floor).high_radius == cup.inner_radius && at(outer).low_height == cup.base &&
+        at(outer).high_height == cup.top && at(inner).low_height == cup.floor &&
+        at(inner).high_height == cup.top && cup.base < cup.floor && cup.floor < cup.top &&
+        cup.inner_radius < cup.outer_radius;
+    return fits ? std::optional(cup) : std::nullopt;
+}
+
 lanes::Solid convert(const geom::Lathe& lathe) {
     lanes::Solid solid;
     solid.kind = lanes::Kind::lathe;
@@ -60,6 +98,10 @@ lanes::Solid convert(const geom::Lathe& lathe) {
         solid.pieces.push_back({piece.line.a * piece.outward, piece.line.b * piece.outward,
                                 piece.line.c * piece.outward, piece.low.x, piece.high.x,
                                 piece.low.y, piece.high.y});
+    }
+    if (const auto cup = find_cup(solid.pieces)) {
+        solid.is_cup = true;
+        solid.cup = *cup;
     }
     solid.is_stepped = std::ranges::all_of(
         solid.pieces, [](const auto& piece) { return piece.a == 0.0 || piece.b == 0.0; });

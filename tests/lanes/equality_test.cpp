@@ -66,7 +66,7 @@ TEST_CASE("lanes make the picture of the general way", "[lanes]") {
         GENERATE("tests/povray/bench/spheres.scene", "tests/povray/bench/tumbler.scene",
                  "examples/first_page.scene", "examples/cross_section.scene",
                  "examples/three_spheres.scene", "examples/lens.scene", "examples/doublet.scene",
-                 "examples/ocean.scene", "examples/glass_of_water.scene");
+                 "examples/ocean.scene", "examples/glass_of_water.scene", "tests/lanes/cups.scene");
     const tracer::RenderScene scene = read(name);
     for (const tracer::Sampling& sampling :
          {tracer::Sampling{tracer::GridSampling{1}}, tracer::Sampling{tracer::CountSampling{4}}}) {
@@ -128,9 +128,9 @@ TEST_CASE("lanes follow rays through more solids than one word of a list holds",
 TEST_CASE("every instruction set makes the same bytes", "[lanes]") {
     const auto sets = lanes::instruction_sets();
     REQUIRE(sets.back() == "plain");
-    const std::string name =
-        GENERATE("tests/povray/bench/tumbler.scene", "examples/cross_section.scene",
-                 "tests/lanes/ties.scene", "tests/lanes/many_bubbles.scene");
+    const std::string name = GENERATE("tests/povray/bench/tumbler.scene",
+                                      "examples/cross_section.scene", "tests/lanes/ties.scene",
+                                      "tests/lanes/many_bubbles.scene", "tests/lanes/cups.scene");
     const tracer::RenderScene scene = read(name);
     for (const tracer::Sampling& sampling :
          {tracer::Sampling{tracer::GridSampling{1}}, tracer::Sampling{tracer::CountSampling{4}}}) {
