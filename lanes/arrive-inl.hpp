@@ -20,9 +20,9 @@ HWY_INLINE void Kernel::attenuate(Batch& batch) {
     if (!any(which)) return;
     Doubles red(batch.throughput.x), green(batch.throughput.y), blue(batch.throughput.z);
     const Doubles way(batch.way_before + batch.t);
-    const ListWords before(batch.before, program_);
+    const ListWords around(batch.before, program_);
     for_each(which, [&](std::size_t lane) {
-        const geom::Vec3 share = host_.transmittance(before.top(lane), way[lane], batch.is_shadow);
+        const geom::Vec3 share = host_.transmittance(around.top(lane), way[lane], batch.is_shadow);
         red[lane] *= share.x;
         green[lane] *= share.y;
         blue[lane] *= share.z;
