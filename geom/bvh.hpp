@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -27,6 +28,10 @@ public:
         return nodes_.size() * sizeof(BvhNode) + order_.size() * sizeof(order_[0]);
     }
 
+    /// From now on a box's index is its place in the hierarchy, so that what is visited together
+    /// can stand together in memory. Returns which box stands where.
+    std::vector<std::uint32_t> renumber();
+
     /// Visits boxes that meet the ray's line at t in [0, t_max], the nearer parts of space first.
     /// The visitor, called as visit(index), may lower the `t_max` it was given by reference: what
     /// lies beyond is left out from then on.
@@ -49,16 +54,16 @@ private:
     void walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const;
     template <class Visit>
     void visit_leaf(std::uint32_t child, Visit& visit) const {
-        const std::size_t first = std::size_t{child ^ BvhNode::leaf} * leaf_size_;
-        const std::size_t last = first + leaf_size_;
-        for (std::size_t i = first; i < last && i < order_.size(); ++i) visit(order_[i]);
+        const std::uint32_t first = (child ^ BvhNode::leaf) * leaf_size_;
+        const std::uint32_t last = std::min(first + leaf_size_, size_);
+        for (std::uint32_t i = first; i < last; ++i) visit(order_.empty() ? i : order_[i]);
     }
 
     HugeVector<BvhNode> nodes_;
-    std::vector<std::uint32_t> order_;  // of the boxes, leaf by leaf
-    std::uint32_t leaf_size_ = 1;
+    std::vector<std::uint32_t> order_;  // of the boxes, leaf by leaf; empty: they stand in it
+    std::uint32_t size_ = 0, leaf_size_ = 1;
     Bounds bounds_;
-    Vec3 center_{0.0};
+    BvhFrame frame_;
 };
 
 /// Which children the line meets between `from` and `to`: bit i for child i, and where it enters
@@ -84,7 +89,7 @@ inline unsigned meets(const BvhLine& line, const BvhNode& node, float from, floa
 template <class Visit>
 void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const {
     if (empty()) return;
-    const BvhLine line(bounds_, center_, ray);
+    const BvhLine line(frame_, ray);
     const float from = line.lower(t_min);
     double known_max = t_max;
     float to = line.upper(t_max);
@@ -122,7 +127,7 @@ void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) 
 template <class Visit>
 void Bvh::overlapping(const Bounds& region, Visit&& visit) const {
     if (empty() || !overlap(region, bounds_)) return;
-    const Bounds seen{region.low - center_, region.high - center_};
+    const Bounds seen{region.low - frame_.center, region.high - frame_.center};
     BvhStack stack;
     int size = 0;
     stack[size++] = {0, 0.0f};

@@ -28,9 +28,6 @@ struct Mesh {
                          Crossings& out) const {
         return triangles->crossings_ahead(ray, search, depth, out);
     }
-    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const {
-        return triangles->crossing_of(face, ray);
-    }
     void hits(const Ray& ray, Crossings& out) const { triangles->crossings(ray, out); }
     bool contains(const Vec3& p) const { return triangles->depth_at(p) > 0; }
     int depth_at(const Vec3& p) const { return triangles->depth_at(p); }

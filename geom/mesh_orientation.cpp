@@ -118,7 +118,7 @@ std::array<Vec3, 3> TriangleMesh::Orientation::corners(std::size_t triangle) con
 /// Six times the volume of the cone from the mesh's middle is a determinant; the sum over a closed
 /// mesh is its volume.
 double TriangleMesh::Orientation::volume_under(std::size_t triangle) const {
-    const Vec3 middle = mesh_.center_;
+    const Vec3 middle = mesh_.frame_.center;
     const auto [a, b, c] = corners(triangle);
     return glm::dot(a - middle, glm::cross(b - middle, c - middle)) / 6.0;
 }

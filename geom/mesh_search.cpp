@@ -111,7 +111,7 @@ HWY_INLINE void fetch_child(const MeshView& mesh, const TriangleBlock<Real>* blo
 template <class Real>
 HWY_INLINE double walk(const MeshView& mesh, const TriangleBlock<Real>* blocks, const Ray& ray,
                        const Search& search, Crossings& out) {
-    const BvhLine line(mesh.bounds, mesh.center, ray);
+    const BvhLine line(mesh.frame, ray);
     const TriangleLine exact(ray);
     double t_max = search.to;
     const float from = line.lower(search.from);
@@ -152,8 +152,11 @@ HWY_INLINE double walk(const MeshView& mesh, const TriangleBlock<Real>* blocks, 
                 return Vec3{block.at[i][0][lane], block.at[i][1][lane], block.at[i][2][lane]};
             };
             const auto hit = exact.hit(corner(0), corner(1), corner(2));
-            if (!hit || !(hit->t > search.from) || hit->t > t_max) continue;
+            if (!hit) continue;
             const auto face = static_cast<Face>(number * TriangleBlock<Real>::width + lane);
+            if (face == search.own && search.own_met)
+                *search.own_met = {hit->t, face, hit->entering};
+            if (!(hit->t > search.from) || hit->t > t_max) continue;
             out.push_back({hit->t, face, hit->entering});
             if ((hit->entering ? search.entering_ends : search.leaving_ends) &&
                 face != search.own && hit->t >= search.ends_from) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geom/bounds.hpp"
+#include "geom/bvh_line.hpp"
 #include "geom/bvh_node.hpp"
 #include "geom/crossing.hpp"
 #include "geom/ray.hpp"
@@ -15,14 +16,15 @@ struct Search {
     bool entering_ends = false, leaving_ends = false;  // such a crossing at t...
     double slack = 0.0, slack_per_t = 0.0;  // ...draws `to` in to t + slack + slack_per_t * t
     double ends_from = -infinity;           // but not if it is nearer than this,
-    Face own = no_face;                     // nor if it is of the face that the ray was born on
+    Face own = no_face;                     // nor if it is of the face that the ray was born on:
+    bool own_entering = false;              // how that is crossed, if the ray has not turned
+    Crossing* own_met = nullptr;            // where to say how the line does cross it
 };
 
 /// The triangles of a mesh under a hierarchy whose leaves are the blocks.
 struct MeshView {
     const BvhNode* nodes;
-    const Bounds& bounds;
-    Vec3 center;
+    const BvhFrame& frame;
     const TriangleBlocks& blocks;
 };
 

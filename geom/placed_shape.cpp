@@ -209,10 +209,6 @@ bool PlacedShape::crossings_ahead(const Ray& ray, const Search& search, std::opt
     return geom::crossings_ahead(shape_, transform_.to_local(ray), search, depth, out);
 }
 
-std::optional<Crossing> PlacedShape::crossing_of(Face face, const Ray& ray) const {
-    return geom::crossing_of(shape_, face, transform_.to_local(ray));
-}
-
 Vec3 PlacedShape::normal(Face face, const Ray& point) const {
     if (transform_.is_identity()) return geom::normal(shape_, face, point);
     return glm::normalize(
@@ -228,6 +224,22 @@ Vec3 PlacedShape::shading_normal(Face face, const Ray& point) const {
 Vec3 PlacedShape::to_face(Face face, const Ray& point) const {
     if (transform_.is_identity()) return geom::to_face(shape_, face, point);
     return transform_.vector(geom::to_face(shape_, face, transform_.to_local(point)));
+}
+
+PlacedShape::Normals PlacedShape::put_on_face(Face face, Ray& point) const {
+    if (const auto* mesh = std::get_if<Mesh>(&shape_)) {
+        // A triangle is looked up once for all.
+        const TriangleMesh::FacePlane plane = mesh->triangles->plane(face);
+        const Vec3 way = to_plane(transform_.to_local(point).from(plane.corner), plane.normal);
+        point.origin_error += transform_.vector(way);
+        const Vec3 flat = transform_.is_identity()
+                              ? plane.normal
+                              : glm::normalize(transform_.normal(plane.normal));
+        return {flat, mesh->triangles->is_smooth() ? shading_normal(face, point) : flat};
+    }
+    point.origin_error += to_face(face, point);
+    const Vec3 flat = normal(face, point);
+    return {flat, std::holds_alternative<Triangle>(shape_) ? shading_normal(face, point) : flat};
 }
 
 bool PlacedShape::contains(const Vec3& p) const {

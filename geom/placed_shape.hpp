@@ -35,7 +35,6 @@ public:
     void crossings(const Ray& ray, const Search& search, Crossings& out) const;
     bool crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
                          Crossings& out) const;
-    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const;
     /// At the point's exact origin.
     Vec3 normal(Face face, const Ray& point) const;
     Vec3 normal(Face face, const Vec3& p) const { return normal(face, Ray{p}); }
@@ -44,6 +43,11 @@ public:
     /// As the shape's: the way from `point`'s exact origin to the face.
     Vec3 to_face(Face face, const Ray& point) const;
     Vec3 on_face(Face face, const Vec3& p) const { return p + to_face(face, Ray{p}); }
+    /// Moves `point`'s exact origin to the face, and returns the normals there.
+    struct Normals {
+        Vec3 flat, shading;
+    };
+    Normals put_on_face(Face face, Ray& point) const;
     bool contains(const Vec3& p) const;
     int depth_at(const Vec3& p) const;
 

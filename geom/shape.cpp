@@ -73,11 +73,6 @@ bool crossings_ahead(const Shape& shape, const Ray& ray, const Search& search,
     return mesh && mesh->crossings_ahead(ray, search, depth, out);
 }
 
-std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ray) {
-    const auto* mesh = std::get_if<Mesh>(&shape);
-    return mesh ? mesh->crossing_of(face, ray) : std::nullopt;
-}
-
 Vec3 normal(const Shape& shape, Face face, const Ray& point) {
     return std::visit(
         [&](const auto& s) {

@@ -57,8 +57,6 @@ void crossings(const Shape& shape, const Ray& ray, const Search& search, Crossin
 /// For closed shapes: as TriangleMesh::crossings_ahead. False for every shape but a mesh.
 bool crossings_ahead(const Shape& shape, const Ray& ray, const Search& search,
                      std::optional<int> depth, Crossings& out);
-/// Where the whole line crosses one face of a mesh, if it does. Nothing for other shapes.
-std::optional<Crossing> crossing_of(const Shape& shape, Face face, const Ray& ray);
 
 /// The outward unit normal of a face at a point of it, by the point's exact origin.
 Vec3 normal(const Shape& shape, Face face, const Ray& point);

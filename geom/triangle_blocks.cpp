@@ -51,19 +51,6 @@ std::size_t TriangleBlocks::memory_bytes() const {
     return visit([](const auto& blocks) { return blocks.size() * sizeof(blocks[0]); });
 }
 
-std::array<Vec3, 3> TriangleBlocks::corners(Face face) const {
-    const auto triangle = static_cast<std::uint32_t>(face);
-    return visit([&](const auto& blocks) {
-        const auto& at = blocks[triangle / 4].at;
-        std::array<Vec3, 3> corners;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            for (int axis = 0; axis < 3; ++axis)
-                corners[corner][axis] = at[corner][axis][triangle % 4];
-        }
-        return corners;
-    });
-}
-
 void TriangleBlocks::flip(Face face) {
     const auto triangle = static_cast<std::uint32_t>(face);
     std::visit(

@@ -33,14 +33,26 @@ public:
 
     std::size_t size() const { return size_; }
     std::size_t memory_bytes() const;
-    std::array<Vec3, 3> corners(Face face) const;
     /// Turns a triangle round: swaps its second and third corner.
     void flip(Face face);
 
     /// Calls use(vector of blocks), of either precision.
     template <class Use>
     decltype(auto) visit(Use&& use) const {
-        return std::visit(use, blocks_);
+        if (const auto* singles = std::get_if<Singles>(&blocks_)) return use(*singles);
+        return use(*std::get_if<Doubles>(&blocks_));
+    }
+
+    std::array<Vec3, 3> corners(Face face) const {
+        const auto triangle = static_cast<std::uint32_t>(face);
+        return visit([&](const auto& blocks) {
+            const auto& at = blocks[triangle / 4].at;
+            const std::uint32_t lane = triangle % 4;
+            std::array<Vec3, 3> corners;
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                corners[corner] = {at[corner][0][lane], at[corner][1][lane], at[corner][2][lane]};
+            return corners;
+        });
     }
 
 private:

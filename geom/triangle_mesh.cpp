@@ -10,7 +10,6 @@
 #include "geom/cylindrical.hpp"
 #include "geom/mesh_orientation.hpp"
 #include "geom/triangle.hpp"
-#include "geom/watertight.hpp"
 #include "geom/weld.hpp"
 
 namespace meniscus::geom {
@@ -65,14 +64,14 @@ TriangleMesh::TriangleMesh(TriangleSoup soup) {
 
 void TriangleMesh::build_hierarchy(WeldedTriangles& welded) {
     for (const Vec3& p : welded.positions) bounds_.extend(p);
-    center_ = bounds_.center();
+    frame_ = BvhFrame(bounds_);
     magnitude_ = std::max(max_abs(bounds_.low), max_abs(bounds_.high));
     const std::vector<TriangleIndices>& triangles = welded.triangles;
     std::vector<BuildItem> items(triangles.size());
     tbb::parallel_for(std::size_t{0}, items.size(), [&](std::size_t i) {
         Bounds box;
         for (const std::uint32_t corner : triangles[i]) box.extend(welded.positions[corner]);
-        items[i] = BuildItem(box, center_, static_cast<std::uint32_t>(i));
+        items[i] = BuildItem(box, frame_.center, static_cast<std::uint32_t>(i));
     });
     nodes_ = build_bvh(items, TriangleBlock<double>::width);
     const auto reorder = [&]<class Item>(std::vector<Item>& list) {
@@ -97,7 +96,7 @@ std::size_t TriangleMesh::memory_bytes() const {
 
 void TriangleMesh::crossings(const Ray& ray, const Search& search, Crossings& out) const {
     const std::size_t begin = out.size();
-    const double end = find_crossings({nodes_.data(), bounds_, center_, blocks_}, ray, search, out);
+    const double end = find_crossings({nodes_.data(), frame_, blocks_}, ray, search, out);
     if (end < search.to) {
         const auto last = std::remove_if(out.begin() + begin, out.end(),
                                          [&](const Crossing& found) { return found.t > end; });
@@ -125,6 +124,9 @@ bool TriangleMesh::crossings_ahead(const Ray& ray, Search search, std::optional<
     const std::size_t begin = out.size();
     search.from = 0.0;
     crossings(ray, search, out);
+    if (search.own_met &&
+        (search.own_met->face != search.own || search.own_met->entering != search.own_entering))
+        return false;
     // What the ray was born on may come first; behind another crossing it would be no mere
     // rounding.
     if (search.own != no_face) {
@@ -158,28 +160,20 @@ bool TriangleMesh::takes_turns(const Ray& ray, const Crossings& ahead, std::size
     return true;
 }
 
-std::optional<Crossing> TriangleMesh::crossing_of(Face face, const Ray& ray) const {
-    const auto [a, b, c] = corners(face);
-    const auto hit = TriangleLine(ray).hit(a, b, c);
-    if (!hit) return std::nullopt;
-    return Crossing{hit->t, face, hit->entering};
-}
-
 int TriangleMesh::depth_at(const Vec3& p) const {
     if (!bounds_.contains(p)) return 0;
     Crossings found;
-    find_crossings({nodes_.data(), bounds_, center_, blocks_}, Ray{p, odd_direction}, {.from = 0.0},
-                   found);
+    find_crossings({nodes_.data(), frame_, blocks_}, Ray{p, odd_direction}, {.from = 0.0}, found);
     int depth = 0;
     for (const Crossing& crossing : found) depth += crossing.entering ? -1 : 1;
     return depth;
 }
 
-Vec3 TriangleMesh::normal(Face face) const {
+TriangleMesh::FacePlane TriangleMesh::plane(Face face) const {
     const auto [a, b, c] = corners(face);
     const Vec3 n = glm::cross(b - a, c - a);
     const double length = glm::length(n);
-    return length > 0.0 ? n / length : any_perpendicular(b - a);
+    return {a, length > 0.0 ? n / length : any_perpendicular(b - a)};
 }
 
 Vec3 TriangleMesh::shading_normal(Face face, const Vec3& p) const {
@@ -194,7 +188,8 @@ Vec3 TriangleMesh::shading_normal(Face face, const Vec3& p) const {
 }
 
 Vec3 TriangleMesh::to_face(Face face, const Ray& point) const {
-    return to_plane(point.from(corners(face)[0]), normal(face));
+    const FacePlane plane = this->plane(face);
+    return to_plane(point.from(plane.corner), plane.normal);
 }
 
 std::shared_ptr<const TriangleMesh> TriangleMesh::unit_cube() {

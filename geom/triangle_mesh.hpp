@@ -91,13 +91,19 @@ public:
     void crossings(const Ray& ray, const Search& search, Crossings& out) const;
     /// Of a closed mesh, the crossings with t > 0 that a search wants, but for its `own`, sorted by
     /// t. Returns false where they contradict the depth from which the ray starts (if that is
-    /// known), or where rounding may have put them out of turn: then only the whole line tells.
+    /// known), where the line does not cross its `own` as the search says (if it asks for that),
+    /// or where rounding may have put them out of turn: then only the whole line tells.
     bool crossings_ahead(const Ray& ray, Search search, std::optional<int> depth,
                          Crossings& out) const;
-    /// Where the whole line crosses one face, if it does.
-    std::optional<Crossing> crossing_of(Face face, const Ray& ray) const;
     int depth_at(const Vec3& p) const;
-    Vec3 normal(Face face) const;
+    /// One of a face's corners, and its normal.
+    struct FacePlane {
+        Vec3 corner, normal;
+    };
+    FacePlane plane(Face face) const;
+    Vec3 normal(Face face) const { return plane(face).normal; }
+    /// Whether it is shaded with other normals than that.
+    bool is_smooth() const { return !corner_normals_.empty(); }
     Vec3 shading_normal(Face face, const Vec3& p) const;
     Vec3 to_face(Face face, const Ray& point) const;
 
@@ -116,7 +122,7 @@ private:
     std::vector<TriangleIndices> corner_normals_;
     std::vector<std::uint32_t> numbers_;
     Bounds bounds_;
-    Vec3 center_{0.0};
+    BvhFrame frame_;
     double magnitude_ = 0.0;
     MeshStats stats_;
 };

@@ -63,6 +63,9 @@ RenderScene compile(scene::Scene source) {
     }
     if (scene.settings.outside.attenuates()) result.has_attenuation = true;
     result.bvh = geom::Bvh(bvh_bounds);
+    std::vector<int> parts;
+    for (const std::uint32_t box : result.bvh.renumber()) parts.push_back(result.bvh_parts[box]);
+    result.bvh_parts = std::move(parts);
     if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
     result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
 

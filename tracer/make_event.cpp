@@ -21,26 +21,58 @@ geom::Ray point_on(const geom::Ray& ray, double t) {
 
 }  // namespace
 
-Event EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner,
-                              const InteriorList& before, const InteriorList& after) const {
+/// What an event is, but for the lists before and after it and what the rays born there must know.
+void EventFinder::make_event(const TracedRay& ray, double t, const Offer& owner, int solid_before,
+                             int solid_after, Event& event) const {
     const Part& part = scene_.parts[owner.part];
-    Event event;
     event.t = t;
     event.part = owner.part;
     event.skin = owner.part;
     event.face = owner.face;
-    event.before = before;
-    event.after = after;
     event.origin = point_on(ray.ray, t);
     // Put the point back on its face: what rounding and long chords took off it would add up from
     // bounce to bounce.
-    event.origin.origin_error += part.shape.to_face(owner.face, event.origin);
-    event.solid_before = before.top_solid(scene_);
-    event.solid_after = after.top_solid(scene_);
-    event.normal = part.shape.normal(owner.face, event.origin);
-    if (part.inverse) event.normal = -event.normal;
+    const auto [flat, shading] = part.shape.put_on_face(owner.face, event.origin);
+    event.normal = part.inverse ? -flat : flat;
+    event.shading_normal = shading;
+    event.solid_before = solid_before;
+    event.solid_after = solid_after;
+    event.contacts.clear();
+    event.birth = {};
     event.birth.magnitude = offers_.magnitude(ray, owner.part, t);
-    return event;
+}
+
+/// Most events are the only crossing far and wide: then the list changes by that alone. False where
+/// they are not, or where the solid that is there stays the same.
+bool EventFinder::make_lone_event(const TracedRay& ray, int top, Event& event) {
+    const Offer& offer = found_.front();
+    if (!may_be_true(offer, top)) return false;
+    if (found_.size() > 1 &&
+        found_[1].t <= reach(scene_, offer.t, offers_.magnitude(ray, offer.part, offer.t)))
+        return false;
+    const Part& part = scene_.parts[offer.part];
+    if (part.is_member && !offer.entering && !part.inverse && !ray.interior.inside(offer.part))
+        return false;
+    event.before = event.after = ray.interior;
+    int top_after = top;
+    if (part.is_member) {
+        apply(ray, offer, event.after);
+        top_after = event.after.top(scene_);
+        if (solid_of(top) == solid_of(top_after)) return false;
+    }
+    make_event(ray, offer.t, offer, solid_of(top), solid_of(top_after), event);
+    // Where a higher solid ends inside an opaque one, the opaque one is what is seen.
+    if (part.is_member && top_after != outside && scene_.parts[top_after].is_opaque)
+        event.skin = top_after;
+    event.contacts.push_back({offer.part, offer.face, !offer.entering});
+    const int anchor = offers_.anchor_of(offer);
+    if (anchor != no_anchor) {
+        event.birth.anchor = anchor;
+        event.birth.anchored_magnitude = offers_.magnitude_from(anchor, ray, event.t);
+    }
+    note(offer, true);
+    ++statistics_.true_crossings;
+    return true;
 }
 
 }  // namespace meniscus::tracer

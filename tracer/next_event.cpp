@@ -14,10 +14,11 @@ EventFinder::EventFinder(const RenderScene& scene, const Options& options, Stati
       has_only_surfaces_(!scene.has_members && options.interior == InteriorMode::sweep &&
                          !options.check_segments) {}
 
-std::optional<Event> EventFinder::next(TracedRay& ray, double t_max) {
+bool EventFinder::next(TracedRay& ray, double t_max, Event& event) {
     ++statistics_.segments;
-    if (has_only_surfaces_ && !record) return next_surface(ray, t_max);
-    return options_.interior == InteriorMode::sweep ? sweep(ray, t_max) : recast(ray, t_max);
+    if (has_only_surfaces_ && !record) return next_surface(ray, t_max, event);
+    return options_.interior == InteriorMode::sweep ? sweep(ray, t_max, event)
+                                                    : recast(ray, t_max, event);
 }
 
 bool EventFinder::is_visible(const Part& part, RayKind kind) const {
@@ -80,6 +81,7 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by)
         offer(ray, scene_.bvh_parts[primitive], top, by);
     });
     std::erase_if(found_, [&](const Offer& offer) { return offer.t > bound_; });
+    if (found_.size() < 2) return;
     std::ranges::sort(found_, [](const Offer& a, const Offer& b) {
         return a.t != b.t         ? a.t < b.t
                : a.part != b.part ? a.part < b.part
@@ -90,31 +92,33 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by)
 /// The next event, the ray's list being right. One traversal is enough unless what bounded it was
 /// no true crossing after all: a union that overlaps itself is left and still there, a solid is
 /// entered and left at one place. Then, and only then, the ray is followed farther.
-std::optional<Event> EventFinder::find_event(TracedRay& ray, double t_max) {
+bool EventFinder::find_event(TracedRay& ray, double t_max, Event& event) {
     const int top = ray.interior.top(scene_);
+    collect(ray, top, t_max, Bound::true_crossings);
+    if (found_.empty()) return false;
+    if (make_lone_event(ray, top, event)) return true;
+
     const InteriorList at_start = ray.interior;
     const std::uint64_t false_before = statistics_.false_crossings;
     const std::size_t judged_before = record ? record->size() : 0;
-    std::optional<Event> event;
-    for (const Bound by : {Bound::true_crossings, Bound::entries, Bound::nothing}) {
-        if (by != Bound::true_crossings) {
-            statistics_.false_crossings = false_before;
-            ray.interior = at_start;
-            if (record) record->resize(judged_before);
-        }
+    if (walk(ray, event)) return true;
+    for (const Bound by : {Bound::entries, Bound::nothing}) {
+        if (bound_ == t_max) return false;
+        statistics_.false_crossings = false_before;
+        ray.interior = at_start;
+        if (record) record->resize(judged_before);
         collect(ray, top, t_max, by);
-        event = walk(ray);
-        if (event || bound_ == t_max) break;
+        if (walk(ray, event)) return true;
     }
-    return event;
+    return false;
 }
 
-std::optional<Event> EventFinder::sweep(TracedRay& ray, double t_max) {
+bool EventFinder::sweep(TracedRay& ray, double t_max, Event& event) {
     const std::uint64_t leaks_before = statistics_.leaks;
-    std::optional<Event> event = find_event(ray, t_max);
-    if (options_.check_segments) check_segment(ray, event ? event->t : t_max);
-    if (!event && t_max == geom::infinity) check_escape(ray);
-    return statistics_.leaks == leaks_before ? event : recover(ray, t_max);
+    const bool is_met = find_event(ray, t_max, event);
+    if (options_.check_segments) check_segment(ray, is_met ? event.t : t_max);
+    if (!is_met && t_max == geom::infinity) check_escape(ray);
+    return statistics_.leaks == leaks_before ? is_met : recover(ray, t_max, event);
 }
 
 }  // namespace meniscus::tracer

@@ -26,9 +26,13 @@ class EventFinder {
 public:
     EventFinder(const RenderScene& scene, const Options& options, Statistics& statistics);
 
-    /// The next event with t <= t_max, or nothing. Then `ray.interior` is the list at infinity (or
-    /// at t_max).
-    std::optional<Event> next(TracedRay& ray, double t_max = geom::infinity);
+    /// Finds the next event with t <= t_max. False if there is none: then `ray.interior` is the
+    /// list at infinity (or at t_max).
+    bool next(TracedRay& ray, double t_max, Event& event);
+    std::optional<Event> next(TracedRay& ray, double t_max = geom::infinity) {
+        Event event;
+        return next(ray, t_max, event) ? std::optional(std::move(event)) : std::nullopt;
+    }
 
     /// A ray that starts at `origin` in the open, its list computed from which solids contain the
     /// origin.
@@ -41,9 +45,9 @@ public:
         nullptr;  // where to note every crossing judged, if anyone wants to know
 
 private:
-    std::optional<Event> sweep(TracedRay& ray, double t_max);
-    std::optional<Event> recast(TracedRay& ray, double t_max);
-    std::optional<Event> next_surface(TracedRay& ray, double t_max);
+    bool sweep(TracedRay& ray, double t_max, Event& event);
+    bool recast(TracedRay& ray, double t_max, Event& event);
+    bool next_surface(TracedRay& ray, double t_max, Event& event);
 
     bool is_visible(const Part& part, RayKind kind) const;
     /// What a traversal goes no farther than.
@@ -52,28 +56,32 @@ private:
         entries,         // the former
         nothing
     };
-    std::optional<Event> find_event(TracedRay& ray, double t_max);
+    bool find_event(TracedRay& ray, double t_max, Event& event);
     void collect(const TracedRay& ray, int top, double t_max, Bound by);
     void offer(const TracedRay& ray, int part, int top, Bound by);
 
-    std::optional<Event> walk(TracedRay& ray);
+    int solid_of(int part) const { return part == outside ? outside : scene_.parts[part].solid; }
+    /// Whether a crossing may change the solid that is there, `top` being on top of the list.
+    bool may_be_true(const Offer& offer, int top) const;
+    bool make_lone_event(const TracedRay& ray, int top, Event& event);
+    bool walk(TracedRay& ray, Event& event);
     std::size_t find_pivot(const InteriorList& list, std::size_t begin) const;
     void gather_group(const TracedRay& ray, std::size_t begin, std::size_t pivot);
     void apply(const TracedRay& ray, const Offer& offer, InteriorList& list);
     void note(const Offer& offer, bool is_true);
     const Offer* surface_in_group() const;
     const Offer& owner_of_group(std::size_t pivot, int top_before, int top_after) const;
-    Event make_group_event(const TracedRay& ray, std::size_t pivot, const Offer* surface,
-                           const InteriorList& before, const InteriorList& after);
+    void make_group_event(const TracedRay& ray, std::size_t pivot, const Offer* surface,
+                          int top_before, int top_after, Event& event);
 
-    Event make_event(const TracedRay& ray, double t, const Offer& owner, const InteriorList& before,
-                     const InteriorList& after) const;
+    void make_event(const TracedRay& ray, double t, const Offer& owner, int solid_before,
+                    int solid_after, Event& event) const;
     double cosine(const TracedRay& ray, const Offer& offer) const;
     void check_segment(const TracedRay& ray, double t);
     std::optional<int> solid_at(const geom::Vec3& p, RayKind kind) const;
     bool may_be_at(const geom::Vec3& p, double rounding, int solid, RayKind kind) const;
     void check_medium(const TracedRay& ray, double t, double at);
-    std::optional<Event> recover(TracedRay& ray, double t_max);
+    bool recover(TracedRay& ray, double t_max, Event& event);
     void check_escape(const TracedRay& ray);
 
     const RenderScene& scene_;

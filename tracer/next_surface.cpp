@@ -27,7 +27,7 @@ struct Nearest {
 /// The next event where no solid can hold a ray, so that there are no lists and every crossing is
 /// true: the nearest one. Where another coincides with it or a chord is as thin as rounding, the
 /// way with lists decides.
-std::optional<Event> EventFinder::next_surface(TracedRay& ray, double t_max) {
+bool EventFinder::next_surface(TracedRay& ray, double t_max, Event& event) {
     ++statistics_.casts;
     ++stamp_;
     bound_ = t_max;
@@ -69,15 +69,15 @@ std::optional<Event> EventFinder::next_surface(TracedRay& ray, double t_max) {
     });
     if (is_thin || nearest.second <= bound_) {
         --statistics_.casts;
-        return sweep(ray, t_max);
+        return sweep(ray, t_max, event);
     }
-    if (nearest.part == outside) return std::nullopt;
-    Event event =
-        make_event(ray, nearest.t, {nearest.t, nearest.part, nearest.face, nearest.entering},
-                   ray.interior, ray.interior);
+    if (nearest.part == outside) return false;
+    event.before = event.after = ray.interior;
+    make_event(ray, nearest.t, {nearest.t, nearest.part, nearest.face, nearest.entering}, outside,
+               outside, event);
     event.contacts.push_back({nearest.part, nearest.face, !nearest.entering});
     ++statistics_.true_crossings;
-    return event;
+    return true;
 }
 
 }  // namespace meniscus::tracer

@@ -43,6 +43,8 @@ double Offers::magnitude_from(int anchor, const TracedRay& ray, double t) const 
 }
 
 double Offers::magnitude(const TracedRay& ray, const Offer& a, const Offer& b) const {
+    if (a.part == b.part && scene_.anchors.empty())
+        return magnitude(ray, a.part, std::max(a.t, b.t));
     const int anchor = anchor_of(a);
     if (anchor != no_anchor && anchor == anchor_of(b))
         return magnitude_from(anchor, ray, std::max(a.t, b.t));
@@ -207,12 +209,12 @@ bool Offers::collect_ahead(const TracedRay& ray, const Part& part, int index,
     const double zone_width = tolerance(scene_, magnitude);
     geom::Search search = this->search(ray, part, t_max, decisive);
     std::optional<int> depth;
+    geom::Crossing own{0.0, geom::no_face, false};
     if (contact) {
         const bool starts_inside = contact->starts_inside != part.inverse;
-        const auto own = part.shape.crossing_of(contact->face, ray.ray);
-        if (!own || own->entering != starts_inside || !is_at_start(ray, part, *own, zone_width))
-            return false;
         search.own = contact->face;
+        search.own_entering = starts_inside;
+        search.own_met = &own;
         depth = starts_inside ? 1 : 0;
     }
     if (part.is_member) {
@@ -222,6 +224,7 @@ bool Offers::collect_ahead(const TracedRay& ray, const Part& part, int index,
     }
     crossings_.clear();
     if (!part.shape.crossings_ahead(ray.ray, search, depth, crossings_)) return false;
+    if (contact && !is_at_start(ray, part, own, zone_width)) return false;
     for (const geom::Crossing& crossing : crossings_) {
         if (crossing.t > 1e-3 * magnitude) break;
         if (is_at_start(ray, part, crossing, zone_width)) return false;

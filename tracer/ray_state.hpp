@@ -44,7 +44,8 @@ struct Event {
     int skin = outside;  // whose texture is seen: the same part, but where a higher solid ends
                          // inside an opaque one
     geom::Face face = geom::no_face;
-    geom::Vec3 normal{0.0};  // outward unit normal of `part`'s solid
+    geom::Vec3 normal{0.0};          // outward unit normal of `part`'s solid
+    geom::Vec3 shading_normal{0.0};  // of its shape, of either side
     geom::Ray origin;  // the point as an origin of new rays, without a direction: position and its
                        // rounding error
     InteriorList before, after;

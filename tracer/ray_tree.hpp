@@ -78,20 +78,31 @@ public:
     scene::Rgb unshadowed(TracedRay shadow, double distance, double way = 0.0);
 
 private:
-    void step(Pending pending, scene::Rgb& sum);
-    void shade_clear(Pending& pending, const Event& event, int node);
-    void shade_textured(Pending& pending, const Event& event, int node, scene::Rgb& sum);
+    /// Where the light of a branch comes from, and how much of it.
+    struct Way {
+        bool exists = false;
+        bool straight = false;
+        geom::Vec3 direction{0.0};
+        scene::Rgb share{0.0};
+        double weight = 0.0;  // as a share of the parent's
+    };
 
-    Pending reflected(const Pending& parent, const Event& event, const geom::Vec3& shading_normal,
-                      int node) const;
-    Pending transmitted(const Pending& parent, const Event& event, const geom::Vec3& direction,
-                        bool straight, int node) const;
-    bool is_cut(const Pending& pending) const;
+    int begin_node(const Pending& start);
+    void step(Pending& pending, scene::Rgb& sum);
+    void shade_clear(const Pending& pending, const Event& event, int node);
+    void shade_textured(const Pending& pending, const Event& event, int node, scene::Rgb& sum);
+    void go_straight_on(Pending& pending, const Event& event, int node) const;
+
+    bool is_cut(int level, double weight) const;
     /// Puts what goes on into the stack: both branches, or in Tree::sampled one of them by chance
     /// where the weight is low.
-    void branch(Pending& parent, std::optional<Pending> reflected, const scene::Rgb& reflectance,
-                double reflected_weight, std::optional<Pending> transmitted,
-                const scene::Rgb& transmittance, double transmitted_weight);
+    void branch(const Pending& parent, const Event& event, int node, const Way& mirror,
+                const Way& through);
+    void push(const Pending& parent, const Event& event, int node, const Way& way,
+              TreeNode::Branch kind, double gain);
+    void start(const Pending& parent, const Event& event, int node, const Way& way,
+               TreeNode::Branch kind, Pending& child) const;
+    static std::uint64_t key_of(TreeNode::Branch kind, const Pending& parent);
 
     const RenderScene& scene_;
     const Options& options_;

@@ -19,7 +19,7 @@ struct NearestHit {
 /// solid is toggled in the list; where the solid that is there does not change, the ray is cast
 /// again from just behind the hit. What is nearer than an epsilon is not seen. With
 /// InteriorMode::off there is no list: each surface bounds its own solid against the outside.
-std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
+bool EventFinder::recast(TracedRay& ray, double t_max, Event& event) {
     const bool keeps_list = options_.interior == InteriorMode::recast;
     TracedRay leg = ray;
     double travelled = 0.0;
@@ -67,7 +67,7 @@ std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
         if (nearest.part == outside) {
             ray.interior = leg.interior;
             if (keeps_list && t_max == geom::infinity) check_escape(ray);
-            return std::nullopt;
+            return false;
         }
 
         const Part& part = scene_.parts[nearest.part];
@@ -89,13 +89,15 @@ std::optional<Event> EventFinder::recast(TracedRay& ray, double t_max) {
             record->push_back({travelled + nearest.t, nearest.part, nearest.entering, is_true});
         if (is_true) {
             ++statistics_.true_crossings;
-            Event event = make_event(leg, nearest.t, offer, before, after);
+            event.before = before;
+            event.after = after;
+            make_event(leg, nearest.t, offer, solid_before, solid_after, event);
             event.t = travelled + nearest.t;
             const int top_after = after.top(scene_);
             if (part.is_member && top_after != outside && scene_.parts[top_after].is_opaque)
                 event.skin = top_after;
             ray.interior = before;
-            return event;
+            return true;
         }
         ++statistics_.false_crossings;
         leg.interior = after;

@@ -114,7 +114,7 @@ void EventFinder::check_medium(const TracedRay& ray, double t, double at) {
 
 /// After a leak: the list at the ray's origin by position alone, and from there anew. The leak
 /// stands in the statistics once.
-std::optional<Event> EventFinder::recover(TracedRay& ray, double t_max) {
+bool EventFinder::recover(TracedRay& ray, double t_max, Event& event) {
     const Statistics counted = statistics_;
     ray.interior = start(ray.ray, ray.kind).interior;
     Contacts surfaces;  // what stands in no list still needs to know its side
@@ -122,11 +122,11 @@ std::optional<Event> EventFinder::recover(TracedRay& ray, double t_max) {
         if (!scene_.parts[contact.part].is_member) surfaces.push_back(contact);
     }
     ray.contacts = surfaces;
-    const std::optional<Event> event = find_event(ray, t_max);
+    const bool is_met = find_event(ray, t_max, event);
     statistics_.leaks = counted.leaks;
     statistics_.first_leaks = counted.first_leaks;
     statistics_.leaks_by_object = counted.leaks_by_object;
-    return event;
+    return is_met;
 }
 
 }  // namespace meniscus::tracer

@@ -8,7 +8,7 @@ namespace meniscus::tracer {
 /// Goes through the sorted offers: false crossings are applied to the list one by one, until a
 /// group of coincident ones changes the solid that is there. Then the media before and after the
 /// group decide; no order within it is used.
-std::optional<Event> EventFinder::walk(TracedRay& ray) {
+bool EventFinder::walk(TracedRay& ray, Event& event) {
     InteriorList& list = ray.interior;
     used_.assign(found_.size(), 0);
     std::size_t begin = 0;
@@ -22,32 +22,35 @@ std::optional<Event> EventFinder::walk(TracedRay& ray) {
             note(found_[i], false);
             apply(ray, found_[i], list);
         }
-        if (pivot == found_.size()) return std::nullopt;
+        if (pivot == found_.size()) return false;
 
         InteriorList after = list;
         for (const std::uint32_t i : group_) apply(ray, found_[i], after);
         const Offer* surface = surface_in_group();
-        if (surface || list.top_solid(scene_) != after.top_solid(scene_)) {
-            return make_group_event(ray, pivot, surface, list, after);
+        const int top_before = list.top(scene_), top_after = after.top(scene_);
+        if (surface || solid_of(top_before) != solid_of(top_after)) {
+            event.before = list;
+            event.after = std::move(after);
+            make_group_event(ray, pivot, surface, top_before, top_after, event);
+            return true;
         }
         for (const std::uint32_t i : group_) note(found_[i], false);
-        list = after;
+        list = std::move(after);
     }
+}
+
+bool EventFinder::may_be_true(const Offer& offer, int top) const {
+    const Part& part = scene_.parts[offer.part];
+    if (!part.is_member || top == outside) return true;
+    const Part& top_part = scene_.parts[top];
+    return offer.entering ? part.priority >= top_part.priority : part.solid == top_part.solid;
 }
 
 /// The next crossing that may change what is there; the number of offers if there is none.
 std::size_t EventFinder::find_pivot(const InteriorList& list, std::size_t begin) const {
     const int top = list.top(scene_);
     std::size_t pivot = begin;
-    for (; pivot < found_.size(); ++pivot) {
-        if (used_[pivot]) continue;
-        const Part& part = scene_.parts[found_[pivot].part];
-        if (!part.is_member || top == outside) break;
-        const Part& top_part = scene_.parts[top];
-        if (found_[pivot].entering ? part.priority >= top_part.priority
-                                   : part.solid == top_part.solid)
-            break;
-    }
+    while (pivot < found_.size() && (used_[pivot] || !may_be_true(found_[pivot], top))) ++pivot;
     return pivot;
 }
 
@@ -126,11 +129,10 @@ const Offer& EventFinder::owner_of_group(std::size_t pivot, int top_before, int 
     return begins ? *begins : ends ? *ends : found_[pivot];
 }
 
-Event EventFinder::make_group_event(const TracedRay& ray, std::size_t pivot, const Offer* surface,
-                                    const InteriorList& before, const InteriorList& after) {
-    const int top_after = after.top(scene_);
-    const Offer& owner = surface ? *surface : owner_of_group(pivot, before.top(scene_), top_after);
-    Event event = make_event(ray, found_[pivot].t, owner, before, after);
+void EventFinder::make_group_event(const TracedRay& ray, std::size_t pivot, const Offer* surface,
+                                   int top_before, int top_after, Event& event) {
+    const Offer& owner = surface ? *surface : owner_of_group(pivot, top_before, top_after);
+    make_event(ray, found_[pivot].t, owner, solid_of(top_before), solid_of(top_after), event);
     // Where a higher solid ends inside an opaque one, the opaque one is what is seen.
     if (!surface && top_after != outside && scene_.parts[top_after].is_opaque)
         event.skin = top_after;
@@ -151,7 +153,6 @@ Event EventFinder::make_group_event(const TracedRay& ray, std::size_t pivot, con
         event.birth.anchored_magnitude = offers_.magnitude_from(anchor, ray, event.t);
     }
     ++statistics_.true_crossings;
-    return event;
 }
 
 }  // namespace meniscus::tracer
