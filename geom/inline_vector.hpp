@@ -44,7 +44,7 @@ public:
     void push_back(const T& value) {
         if (size_ == capacity_) {
             const T copy = value;  // it may be one of these
-            grow(2 * size_);
+            grow(2 * (size_ < N ? N : size_));
             data()[size_++] = copy;
             return;
         }

@@ -164,10 +164,10 @@ double hidden_shift(const Shape& shape, const Transform& transform) {
 PlacedShape::PlacedShape(Shape shape, const Transform& transform)
     : transform_(transform),
       shape_(taken_in(std::move(shape), transform_)),
-      bounds_(transform_.bounds(geom::bounds(shape_))),
-      magnitude_(geom::magnitude(shape_)),
       closed_(geom::is_closed(shape_)),
-      convex_(geom::is_convex(shape_)) {
+      convex_(geom::is_convex(shape_)),
+      magnitude_(geom::magnitude(shape_)),
+      bounds_(transform_.bounds(geom::bounds(shape_))) {
     if (transform_.is_identity()) {
         magnitude_ += hidden_shift(shape_, transform);
     } else {

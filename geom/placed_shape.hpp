@@ -52,11 +52,12 @@ public:
     int depth_at(const Vec3& p) const;
 
 private:
+    // What rays need most stands first.
     Transform transform_;
     Shape shape_;
-    Bounds bounds_;
-    double magnitude_;
     bool closed_, convex_;
+    double magnitude_;
+    Bounds bounds_;
 };
 
 }  // namespace meniscus::geom

@@ -68,13 +68,14 @@ double norm(const Mat3& m) {
 
 }  // namespace
 
-Transform::Transform(const Mat3& linear, const Vec3& shift)
-    : linear_(linear),
-      inverse_linear_(inverse_of(linear)),
-      shift_(shift),
-      largest_scale_(norm(linear)),
-      translation_(linear == Mat3{1.0}),
-      identity_(translation_ && shift == Vec3{0.0}) {}
+const Transform::Numbers Transform::identity;
+
+Transform::Transform(const Mat3& linear, const Vec3& shift) {
+    const bool is_translation = linear == Mat3{1.0};
+    if (is_translation && shift == Vec3{0.0}) return;
+    numbers_ = std::make_shared<const Numbers>(
+        Numbers{linear, inverse_of(linear), shift, norm(linear), is_translation});
+}
 
 Transform Transform::translation(const Vec3& shift) { return {Mat3{1.0}, shift}; }
 
@@ -100,31 +101,32 @@ Transform Transform::rotation_degrees(const Vec3& angles) {
 }
 
 Transform Transform::then(const Transform& next) const {
-    if (identity_) return next;
-    if (next.identity_) return *this;
-    Transform result(next.linear_ * linear_, next.point(shift_));
-    return result;
+    if (is_identity()) return next;
+    if (next.is_identity()) return *this;
+    return {next.linear() * linear(), next.point(shift())};
 }
 
 Transform Transform::inverse() const {
-    if (identity_) return *this;
-    return {inverse_linear_, -(inverse_linear_ * shift_)};
+    if (is_identity()) return *this;
+    return {inverse_linear(), -(inverse_linear() * shift())};
 }
 
 Ray Transform::to_local(const Ray& ray) const {
-    if (identity_) return ray;
-    if (translation_) {
+    if (is_identity()) return ray;
+    const Vec3& shift = numbers_->shift;
+    if (numbers_->is_translation) {
         // What the subtraction loses goes to the error (Knuth's two-sum).
-        const Vec3 sum = ray.origin - shift_;
+        const Vec3 sum = ray.origin - shift;
         const Vec3 part = sum - ray.origin;
-        const Vec3 lost = (ray.origin - (sum - part)) - (shift_ + part);
+        const Vec3 lost = (ray.origin - (sum - part)) - (shift + part);
         return {sum, ray.direction, ray.origin_error + lost};
     }
-    return {inverse_linear_ * ray.from(shift_), inverse_linear_ * ray.direction, Vec3{0.0}};
+    const Mat3& inverse = numbers_->inverse_linear;
+    return {inverse * ray.from(shift), inverse * ray.direction, Vec3{0.0}};
 }
 
 Bounds Transform::bounds(const Bounds& local) const {
-    if (identity_ || local.is_empty()) return local;
+    if (is_identity() || local.is_empty()) return local;
     if (!local.is_finite()) return Bounds::everything();
     Bounds result;
     for (int corner = 0; corner < 8; ++corner) {

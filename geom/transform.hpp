@@ -1,12 +1,15 @@
 #pragma once
 
+#include <memory>
+
 #include "geom/bounds.hpp"
 #include "geom/ray.hpp"
 #include "geom/vec.hpp"
 
 namespace meniscus::geom {
 
-/// An affine map p -> linear * p + shift, kept with its inverse.
+/// An affine map p -> linear * p + shift, kept with its inverse. Copies share their numbers, and
+/// the identity, which most shapes have, needs none.
 class Transform {
 public:
     Transform() = default;  // the identity
@@ -23,29 +26,37 @@ public:
     Transform then(const Transform& next) const;
     Transform inverse() const;
 
-    bool is_identity() const { return identity_; }
-    bool is_translation() const { return translation_; }
-    const Mat3& linear() const { return linear_; }
-    const Mat3& inverse_linear() const { return inverse_linear_; }
-    const Vec3& shift() const { return shift_; }
+    bool is_identity() const { return !numbers_; }
+    bool is_translation() const { return is_identity() || numbers_->is_translation; }
+    const Mat3& linear() const { return numbers().linear; }
+    const Mat3& inverse_linear() const { return numbers().inverse_linear; }
+    const Vec3& shift() const { return numbers().shift; }
 
-    Vec3 point(const Vec3& p) const { return identity_ ? p : linear_ * p + shift_; }
-    Vec3 vector(const Vec3& v) const { return identity_ ? v : linear_ * v; }
+    Vec3 point(const Vec3& p) const { return is_identity() ? p : linear() * p + shift(); }
+    Vec3 vector(const Vec3& v) const { return is_identity() ? v : linear() * v; }
     /// A surface normal (by the inverse transpose), not normalised.
-    Vec3 normal(const Vec3& n) const { return identity_ ? n : n * inverse_linear_; }
+    Vec3 normal(const Vec3& n) const { return is_identity() ? n : n * inverse_linear(); }
     /// World to own frame: t stays what it is, so the direction is not normalised.
     Ray to_local(const Ray& ray) const;
-    Vec3 to_local(const Vec3& p) const { return identity_ ? p : inverse_linear_ * (p - shift_); }
+    Vec3 to_local(const Vec3& p) const {
+        return is_identity() ? p : inverse_linear() * (p - shift());
+    }
     Bounds bounds(const Bounds& local) const;
     /// The largest factor by which a length grows.
-    double largest_scale() const { return largest_scale_; }
+    double largest_scale() const { return numbers().largest_scale; }
 
 private:
-    Mat3 linear_{1.0}, inverse_linear_{1.0};
-    Vec3 shift_{0.0};
-    double largest_scale_ = 1.0;
-    bool translation_ = true;  // linear_ is exactly 1
-    bool identity_ = true;
+    struct Numbers {
+        Mat3 linear{1.0}, inverse_linear{1.0};
+        Vec3 shift{0.0};
+        double largest_scale = 1.0;
+        bool is_translation = true;  // linear is exactly 1
+    };
+    static const Numbers identity;
+
+    const Numbers& numbers() const { return numbers_ ? *numbers_ : identity; }
+
+    std::shared_ptr<const Numbers> numbers_;  // null: the identity
 };
 
 }  // namespace meniscus::geom

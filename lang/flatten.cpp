@@ -64,7 +64,7 @@ std::size_t make_texture(Session& session, const Skin& skin) {
 }
 
 /// The object's own interior; old scenes put `ior` into the finish.
-std::optional<InteriorItem> stated_interior(const ObjectItem& object) {
+Boxed<InteriorItem> stated_interior(const ObjectItem& object) {
     auto interior = object.interior;
     if (object.texture) {
         const auto& finish = object.texture->finish;
@@ -85,7 +85,7 @@ std::string name_of(const ObjectItem& object) {
 }
 
 std::size_t make_solid(Session& session, const ObjectItem& object,
-                       const std::optional<InteriorItem>& interior) {
+                       const Boxed<InteriorItem>& interior) {
     if (interior && interior->refusal) throw refuse(*interior->refusal);
     session.scene.solids.push_back({name_of(object), object.span.location(),
                                     interior ? interior->interior : scene::Interior{}});
@@ -111,7 +111,7 @@ public:
         if (const auto interior = stated_interior(object)) {
             from.solid = make_solid(session_, object, interior);
         } else if (!from.solid) {
-            from.solid = make_solid(session_, object, std::nullopt);
+            from.solid = make_solid(session_, object, {});
         }
         from.outer = chained(object, from.outer);
         from.no_shadow |= object.no_shadow;
@@ -121,6 +121,7 @@ public:
         from.hollow |= object.hollow;
         if (const auto* group = std::get_if<Union>(&object.body)) {
             if (object.inverse) throw refuse({"inverse on a union", object.span, {}});
+            make_room(group->members.size());
             for (const auto& member : group->members) add(*member, from);
         } else {
             const auto* file = std::get_if<MeshFile>(&object.body);
@@ -131,6 +132,12 @@ public:
     }
 
 private:
+    /// A union of very many is the better for knowing it; others grow as vectors do.
+    void make_room(std::size_t count) {
+        auto& objects = session_.scene.objects;
+        if (count > objects.capacity() / 2) objects.reserve(objects.size() + count);
+    }
+
     Transform chained(const ObjectItem& object, const Transform& outer) const {
         try {
             auto transform = object.transform.then(outer);

@@ -9,6 +9,7 @@
 
 #include "geom/shape.hpp"
 #include "geom/transform.hpp"
+#include "lang/boxed.hpp"
 #include "lang/source.hpp"
 #include "scene/camera.hpp"
 #include "scene/interior.hpp"
@@ -121,12 +122,12 @@ struct ObjectItem {
     Span declared_at;     // that declaration's name
     Span span;
     geom::Transform transform;
-    std::optional<TextureItem> texture;
-    std::optional<InteriorItem> interior;
+    Boxed<TextureItem> texture;
+    Boxed<InteriorItem> interior;
     bool clear = false;  // the skin of a material without texture
     bool inverse = false, no_shadow = false, no_image = false, no_reflection = false;
     bool double_illuminate = false, hollow = false;
-    std::optional<Refusal> refusal;
+    Boxed<Refusal> refusal;
     int depth = 1;
 };
 

@@ -102,7 +102,7 @@ bool read_modifier_block(Cursor& cursor, ObjectItem& object) {
         return read_texture_part(cursor, own_texture(session, object));
     Cursor inner(session, *block, span);
     if (word == "texture") {
-        object.texture = layer(read_texture(inner), object.texture);
+        object.texture = layer(read_texture(inner), bool(object.texture));
         object.clear = false;
     } else if (word == "interior") {
         object.interior = read_interior(inner, object.interior.value_or(InteriorItem{}));
@@ -143,7 +143,7 @@ bool read_modifier(Cursor& cursor, ObjectItem& object) {
     const auto* value = cursor.declared();
     if (!value) return false;
     if (const auto* texture = value->item<TextureItem>()) {
-        object.texture = layer(*texture, object.texture);
+        object.texture = layer(*texture, bool(object.texture));
     } else if (const auto* material = value->item<MaterialItem>()) {
         set_material(object, *material);
     } else {

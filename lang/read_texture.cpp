@@ -88,8 +88,8 @@ TextureItem read_texture(Cursor& cursor) {
     return texture;
 }
 
-TextureItem layer(TextureItem upper, const std::optional<TextureItem>& lower) {
-    if (lower) upper.has_layer_below = true;
+TextureItem layer(TextureItem upper, bool has_lower) {
+    if (has_lower) upper.has_layer_below = true;
     return upper;
 }
 
@@ -108,7 +108,7 @@ MaterialItem read_material(Cursor& cursor) {
         if (const auto* block = cursor.block()) {
             Cursor inner(cursor.session(), *block, cursor.span());
             if (block->word == "texture") {
-                material.texture = layer(read_texture(inner), material.texture);
+                material.texture = layer(read_texture(inner), material.texture.has_value());
                 cursor.advance();
                 continue;
             }

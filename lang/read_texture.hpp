@@ -18,7 +18,8 @@ void read_default(Cursor& cursor);
 /// If the next item is a pigment, finish or normal block: reads it into the texture.
 bool read_texture_part(Cursor& cursor, TextureItem& texture);
 
-/// Puts a texture over another one, which shows only where the upper lets light through.
-TextureItem layer(TextureItem upper, const std::optional<TextureItem>& lower);
+/// Puts a texture over another one, if there is one, which shows only where the upper lets light
+/// through.
+TextureItem layer(TextureItem upper, bool has_lower);
 
 }  // namespace meniscus::lang

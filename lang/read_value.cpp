@@ -24,7 +24,7 @@ Value read_layers(Cursor& cursor) {
         const auto* block = cursor.block();
         if (!block || block->word != "texture") break;
         Cursor inner(cursor.session(), *block, cursor.span());
-        texture = layer(read_texture(inner), texture);
+        texture = layer(read_texture(inner), texture.has_value());
         cursor.advance();
     }
     return make_item(std::move(*texture));

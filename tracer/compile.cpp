@@ -13,6 +13,30 @@ bool is_medium(const scene::Solid& solid, const scene::Texture& texture) {
            texture.clear || scene::lets_light_through(texture.pigment);
 }
 
+/// A hierarchy over so few parts costs more than it saves.
+constexpr std::size_t few_parts = 4;
+/// From so many spheres on they have a table of their own.
+constexpr std::size_t many_spheres = 8;
+
+/// Whether a line that misses the shape is told so soon.
+bool is_cheap(const geom::PlacedShape& shape) {
+    return (shape.is_convex() || std::holds_alternative<geom::Mesh>(shape.shape())) &&
+           !std::holds_alternative<geom::Cone>(shape.shape());
+}
+
+void gather_spheres(RenderScene& scene) {
+    std::vector<geom::Sphere> spheres;
+    std::size_t count = 0;
+    for (const int index : scene.bvh_parts) {
+        const geom::PlacedShape& shape = scene.parts[std::size_t(index)].shape;
+        const auto* sphere = std::get_if<geom::Sphere>(&shape.shape());
+        const bool is_plain = sphere && shape.transform().is_identity();
+        spheres.push_back(is_plain ? *sphere : geom::Sphere{geom::Vec3{0.0}, 0.0});
+        count += is_plain;
+    }
+    if (count >= many_spheres) scene.bvh_spheres = std::move(spheres);
+}
+
 }  // namespace
 
 RenderScene compile(scene::Scene source) {
@@ -30,6 +54,7 @@ RenderScene compile(scene::Scene source) {
 
     geom::Bounds finite;
     std::vector<geom::Bounds> bvh_bounds;
+    result.parts.reserve(scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
         const scene::Texture& texture = scene.textures[object.texture];
@@ -66,9 +91,15 @@ RenderScene compile(scene::Scene source) {
     std::vector<int> parts;
     for (const std::uint32_t box : result.bvh.renumber()) parts.push_back(result.bvh_parts[box]);
     result.bvh_parts = std::move(parts);
+    result.has_few_parts =
+        result.bvh_parts.size() <= few_parts &&
+        std::ranges::all_of(result.parts, [](const Part& part) { return is_cheap(part.shape); });
+    gather_spheres(result);
+    for (const Part& part : result.parts) result.priorities.push_back(part.priority);
     if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
     result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
 
+    result.nesting = find_nesting(result);
     find_anchors(result);
     if (result.anchors.empty())
         result.skipped.emplace_back("no thin film far from the origin: one contact tolerance");

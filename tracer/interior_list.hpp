@@ -1,15 +1,18 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
-#include "geom/inline_vector.hpp"
 #include "tracer/render_scene.hpp"
 
 namespace meniscus::tracer {
 
 /// What a ray is inside of: for each part, how many times, and when it was last entered (Schmidt
-/// and Budge 2002, with counts). It has no fixed size. A depth may be negative inside the
-/// complement of a mesh that overlaps itself.
+/// and Budge 2002, with counts). It has no fixed size: a few members stand in the list itself, and
+/// many in memory that its copies share until one of them changes. A depth may be negative inside
+/// the complement of a mesh that overlaps itself.
 class InteriorList {
 public:
     struct Member {
@@ -18,9 +21,10 @@ public:
         std::uint64_t serial;  // of the latest entry
     };
 
-    bool empty() const { return members_.empty(); }
-    const Member* begin() const { return members_.begin(); }
-    const Member* end() const { return members_.end(); }
+    bool empty() const { return size() == 0; }
+    std::size_t size() const { return many_ ? many_->size() : count_; }
+    const Member* begin() const { return many_ ? many_->data() : few_.data(); }
+    const Member* end() const { return begin() + size(); }
 
     int depth(int part) const;
     bool inside(int part) const { return depth(part) > 0; }
@@ -33,10 +37,20 @@ public:
     int top_solid(const RenderScene& scene) const;
 
 private:
-    void change(int part, int by, bool entering);
+    static constexpr std::size_t most_few = 6;
+    static constexpr int unknown = -2;
 
-    geom::InlineVector<Member, 6> members_;
+    Member* find(int part);
+    void add(const Member& member);
+    void remove(Member* member);
+    int find_top(const RenderScene& scene) const;
+
+    std::array<Member, most_few> few_;
+    std::uint32_t count_ = 0;  // of those
+    // What was on top when it was last asked, and what was entered since then.
+    mutable int top_ = outside, entered_ = outside;
     std::uint64_t next_serial_ = 1;
+    std::shared_ptr<std::vector<Member>> many_;  // in place of `few_`, if set
 };
 
 /// The medium that a solid is made of; the scene's outside for `outside`.

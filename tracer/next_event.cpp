@@ -65,6 +65,57 @@ void EventFinder::offer(const TracedRay& ray, int index, int top, Bound by) {
     }
 }
 
+/// Whether the ray leaves its top, and so ends, before it comes to anything that is not inside of
+/// that one: what holds it is farther off, as the list says that it does hold it, and nothing else
+/// is near.
+bool EventFinder::is_shut_in(const TracedRay& ray, int top) const {
+    const Nesting& nesting = scene_.nesting;
+    if (nesting.is_empty() || top == outside || !nesting.places[top].is_alone) return false;
+    if (!scene_.parts[top].shape.is_convex()) return false;
+    if (!found_.empty() && bound_ >= found_.front().t + nesting.margin) return false;
+    std::uint32_t holders = 0;
+    for (const InteriorList::Member& member : ray.interior)
+        holders += member.depth > 0 && nesting.holds(member.part, top);
+    return holders == nesting.places[top].level;
+}
+
+/// Asks parts that the same solid holds, and what is inside of them in turn, unless the ray ends
+/// before it is there.
+void EventFinder::ask_group(const TracedRay& ray, int index, int top, Bound by) {
+    if (index < 0) return;
+    const Nesting& nesting = scene_.nesting;
+    const Nesting::Group& group = nesting.groups[index];
+    const auto ask = [&](std::uint32_t i) {
+        const int part = group.parts[i];
+        const bool is_new = visited_[part] != stamp_;
+        const std::size_t first = found_.size();
+        offer(ray, part, top, by);
+        const int held = nesting.places[part].held;
+        if (held < 0) return;
+        if (is_new && !ray.interior.inside(part)) {
+            if (found_.size() == first) return;  // missed, or too far away
+            const Offer& offer = found_[first];
+            if (offer.entering && bound_ < offer.t + nesting.margin) return;
+        }
+        ask_group(ray, held, top, by);
+    };
+    if (group.bvh.empty()) {
+        for (std::uint32_t i = 0; i < group.parts.size(); ++i) ask(i);
+    } else {
+        group.bvh.traverse(ray.ray, bound_, ask);
+    }
+}
+
+/// Whether a sphere, of those that the ray is not known to be at, has nothing to offer: its
+/// interval is the one that `offer` would find.
+bool EventFinder::misses_sphere(const TracedRay& ray, std::uint32_t primitive) const {
+    if (scene_.bvh_spheres.empty()) return false;
+    const geom::Sphere& sphere = scene_.bvh_spheres[primitive];
+    if (sphere.radius == 0.0) return false;
+    const geom::Interval interval = sphere.interval(ray.ray, geom::no_face);
+    return !interval.hit || !(interval.t1 > 0.0) || interval.t0 > bound_;
+}
+
 /// One traversal: everything offered up to the nearest true crossing. The solids of the list and
 /// those that the ray starts on are asked first, since rounding could make the ray miss their
 /// bounds, and since leaving the top is a first bound.
@@ -74,12 +125,22 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by)
     found_.clear();
     bound_ = t_max;
     if (top != outside) offer(ray, top, top, by);
-    for (const InteriorList::Member& member : ray.interior) offer(ray, member.part, top, by);
+    const Nesting& nesting = scene_.nesting;
+    const bool shut_in = by == Bound::true_crossings && is_shut_in(ray, top);
+    for (const InteriorList::Member& member : ray.interior) {
+        if (!shut_in || !nesting.holds(member.part, top)) offer(ray, member.part, top, by);
+    }
     for (const Contact& contact : ray.contacts) offer(ray, contact.part, top, by);
     for (const int part : scene_.unbounded) offer(ray, part, top, by);
-    scene_.bvh.traverse(ray.ray, bound_, [&](std::uint32_t primitive) {
-        offer(ray, scene_.bvh_parts[primitive], top, by);
-    });
+    if (!nesting.is_empty()) {
+        ask_group(ray, shut_in ? nesting.places[top].held : 0, top, by);
+    } else if (scene_.has_few_parts) {
+        for (const int part : scene_.bvh_parts) offer(ray, part, top, by);
+    } else {
+        scene_.bvh.traverse(ray.ray, bound_, [&](std::uint32_t primitive) {
+            if (!misses_sphere(ray, primitive)) offer(ray, scene_.bvh_parts[primitive], top, by);
+        });
+    }
     std::erase_if(found_, [&](const Offer& offer) { return offer.t > bound_; });
     if (found_.size() < 2) return;
     std::ranges::sort(found_, [](const Offer& a, const Offer& b) {

@@ -59,6 +59,9 @@ private:
     bool find_event(TracedRay& ray, double t_max, Event& event);
     void collect(const TracedRay& ray, int top, double t_max, Bound by);
     void offer(const TracedRay& ray, int part, int top, Bound by);
+    bool is_shut_in(const TracedRay& ray, int top) const;
+    void ask_group(const TracedRay& ray, int group, int top, Bound by);
+    bool misses_sphere(const TracedRay& ray, std::uint32_t primitive) const;
 
     int solid_of(int part) const { return part == outside ? outside : scene_.parts[part].solid; }
     /// Whether a crossing may change the solid that is there, `top` being on top of the list.

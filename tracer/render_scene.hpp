@@ -7,6 +7,7 @@
 #include "geom/bvh.hpp"
 #include "geom/placed_shape.hpp"
 #include "scene/scene.hpp"
+#include "tracer/nesting.hpp"
 
 namespace meniscus::tracer {
 
@@ -42,6 +43,12 @@ struct RenderScene {
     std::vector<Part> parts;
     geom::Bvh bvh;               // over the finite parts
     std::vector<int> bvh_parts;  // bvh primitive -> part
+    // The same for spheres alone, close together in memory: most of many are missed, and that can
+    // be told from so little. Of other shapes the radius is 0. Empty if there are few spheres.
+    std::vector<geom::Sphere> bvh_spheres;
+    std::vector<double> priorities;  // of the parts, close together
+    Nesting nesting;                 // over the finite parts, if they are deep in each other
+    bool has_few_parts = false;      // finite ones: so few that it costs less to ask them all
     std::vector<SharedAnchor> anchors;
     std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
     double size = 1.0;               // of the finite parts' bounds
