@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/random/random.hpp"
 #include "tests/tracer/scenes.hpp"
 
 using namespace meniscus;
@@ -66,4 +67,50 @@ TEST_CASE("the list has no fixed size", "[tracer]") {
     for (int i = 4999; i >= 0; --i) list.leave(i);
     CHECK(list.empty());
     CHECK(copy.depth(2500) == 1);
+}
+
+TEST_CASE("a long list is as right as a short one, and a copy keeps its own", "[tracer]") {
+    scene::Scene source;
+    for (int i = 0; i < 40; ++i) add_glass(source, geom::Sphere{}, 1.5, i % 7);
+    const auto scene = tracer::compile(std::move(source));
+    Random random(3);
+    // The same by other means: who was entered how often, and when last.
+    struct Plain {
+        int depth[40] = {};
+        int last[40] = {};
+        int top() const {
+            int best = tracer::outside;
+            for (int i = 0; i < 40; ++i) {
+                if (depth[i] <= 0) continue;
+                if (best == tracer::outside || i % 7 > best % 7 ||
+                    (i % 7 == best % 7 && last[i] > last[best]))
+                    best = i;
+            }
+            return best;
+        }
+    };
+    struct Pair {
+        tracer::InteriorList list;
+        Plain plain;
+    };
+    std::vector<Pair> pairs(8);
+    for (int time = 1; time < 40000; ++time) {
+        Pair& pair = pairs[std::size_t(random.below(8))];
+        const int part = random.below(40);
+        if (random.chance(0.2)) pair = pairs[std::size_t(random.below(8))];
+        if (pair.plain.depth[part] <= random.below(2)) {
+            pair.list.enter(part);
+            ++pair.plain.depth[part];
+            pair.plain.last[part] = time;
+        } else {
+            pair.list.leave(part);
+            --pair.plain.depth[part];
+        }
+        if (random.chance(0.5)) REQUIRE(pair.list.top(scene) == pair.plain.top());
+        if (time % 100 != 0) continue;
+        for (const Pair& each : pairs) {
+            REQUIRE(each.list.top(scene) == each.plain.top());
+            for (int i = 0; i < 40; ++i) REQUIRE(each.list.depth(i) == each.plain.depth[i]);
+        }
+    }
 }
