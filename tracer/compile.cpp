@@ -99,6 +99,7 @@ RenderScene compile(scene::Scene source) {
     if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
     result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
 
+    result.neighbours = find_neighbours(result);
     result.nesting = find_nesting(result);
     find_anchors(result);
     if (result.anchors.empty())

@@ -60,7 +60,11 @@ void EventFinder::offer(const TracedRay& ray, int index, int top, Bound by) {
     for (std::size_t i = first; i < found_.size(); ++i) {
         const Offer& offer = found_[i];
         if (!(offer.entering ? decisive.entering : decisive.leaving)) continue;
-        bound_ = std::min(bound_, reach(scene_, offer.t, offers_.magnitude(ray, index, offer.t)));
+        const double end = reach(scene_, offer.t, offers_.magnitude(ray, index, offer.t));
+        if (end < bound_) {
+            bound_ = end;
+            bounding_t_ = offer.t;
+        }
         break;  // sorted: what follows lies farther away
     }
 }
@@ -72,11 +76,21 @@ bool EventFinder::is_shut_in(const TracedRay& ray, int top) const {
     const Nesting& nesting = scene_.nesting;
     if (nesting.is_empty() || top == outside || !nesting.places[top].is_alone) return false;
     if (!scene_.parts[top].shape.is_convex()) return false;
-    if (!found_.empty() && bound_ >= found_.front().t + nesting.margin) return false;
+    if (bound_ == geom::infinity || bound_ - bounding_t_ >= nesting.margin) return false;
     std::uint32_t holders = 0;
     for (const InteriorList::Member& member : ray.interior)
         holders += member.depth > 0 && nesting.holds(member.part, top);
     return holders == nesting.places[top].level;
+}
+
+/// All that the ray may meet before it leaves its top, and so ends: what is near that solid. Null
+/// if it is not known, or if the ray may go on.
+const Neighbours::Near* EventFinder::neighbours_of(int top) const {
+    if (top == outside || bound_ == geom::infinity) return nullptr;
+    const Neighbours::Near& near = scene_.neighbours.near[std::size_t(top)];
+    const bool is_known =
+        near.count != Neighbours::unknown && bound_ - bounding_t_ < scene_.neighbours.margin;
+    return is_known ? &near : nullptr;
 }
 
 /// Asks parts that the same solid holds, and what is inside of them in turn, unless the ray ends
@@ -123,14 +137,19 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by)
     ++statistics_.casts;
     ++stamp_;
     found_.clear();
-    bound_ = t_max;
+    bound_ = bounding_t_ = t_max;
     if (top != outside) offer(ray, top, top, by);
     const Nesting& nesting = scene_.nesting;
     const bool shut_in = by == Bound::true_crossings && is_shut_in(ray, top);
+    const Neighbours::Near* const near = by == Bound::true_crossings ? neighbours_of(top) : nullptr;
     for (const InteriorList::Member& member : ray.interior) {
         if (!shut_in || !nesting.holds(member.part, top)) offer(ray, member.part, top, by);
     }
     for (const Contact& contact : ray.contacts) offer(ray, contact.part, top, by);
+    if (near) {
+        for (int i = 0; i < near->count; ++i) offer(ray, near->parts[std::size_t(i)], top, by);
+        return sort_found();
+    }
     for (const int part : scene_.unbounded) offer(ray, part, top, by);
     if (!nesting.is_empty()) {
         ask_group(ray, shut_in ? nesting.places[top].held : 0, top, by);
@@ -141,6 +160,11 @@ void EventFinder::collect(const TracedRay& ray, int top, double t_max, Bound by)
             if (!misses_sphere(ray, primitive)) offer(ray, scene_.bvh_parts[primitive], top, by);
         });
     }
+    sort_found();
+}
+
+/// What lies within the bound, as the ray comes to it.
+void EventFinder::sort_found() {
     std::erase_if(found_, [&](const Offer& offer) { return offer.t > bound_; });
     if (found_.size() < 2) return;
     std::ranges::sort(found_, [](const Offer& a, const Offer& b) {

@@ -59,6 +59,8 @@ private:
     bool find_event(TracedRay& ray, double t_max, Event& event);
     void collect(const TracedRay& ray, int top, double t_max, Bound by);
     void offer(const TracedRay& ray, int part, int top, Bound by);
+    void sort_found();
+    const Neighbours::Near* neighbours_of(int top) const;
     bool is_shut_in(const TracedRay& ray, int top) const;
     void ask_group(const TracedRay& ray, int group, int top, Bound by);
     bool misses_sphere(const TracedRay& ray, std::uint32_t primitive) const;
@@ -96,7 +98,8 @@ private:
     geom::InlineVector<std::uint32_t, 16> group_;  // coincident crossings: indices in found_
     std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
     unsigned stamp_ = 0;
-    double bound_ = 0.0;  // this traversal looks no farther
+    double bound_ = 0.0;       // this traversal looks no farther
+    double bounding_t_ = 0.0;  // of the crossing that says so
     bool has_only_surfaces_;
 };
 

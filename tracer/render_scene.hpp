@@ -7,6 +7,7 @@
 #include "geom/bvh.hpp"
 #include "geom/placed_shape.hpp"
 #include "scene/scene.hpp"
+#include "tracer/neighbours.hpp"
 #include "tracer/nesting.hpp"
 
 namespace meniscus::tracer {
@@ -47,8 +48,9 @@ struct RenderScene {
     // be told from so little. Of other shapes the radius is 0. Empty if there are few spheres.
     std::vector<geom::Sphere> bvh_spheres;
     std::vector<double> priorities;  // of the parts, close together
-    Nesting nesting;                 // over the finite parts, if they are deep in each other
-    bool has_few_parts = false;      // finite ones: so few that it costs less to ask them all
+    Neighbours neighbours;
+    Nesting nesting;             // over the finite parts, if they are deep in each other
+    bool has_few_parts = false;  // finite ones: so few that it costs less to ask them all
     std::vector<SharedAnchor> anchors;
     std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
     double size = 1.0;               // of the finite parts' bounds

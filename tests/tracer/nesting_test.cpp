@@ -98,6 +98,7 @@ TEST_CASE("nesting changes no picture", "[tracer]") {
         options.kernel = tracer::Kernel::general;
         const auto with = tracer::render(compiled, options);
         compiled.nesting = {};
+        compiled.neighbours.near.assign(compiled.parts.size(), {});
         const auto without = tracer::render(compiled, options);
         INFO("seed " << seed);
         CHECK(compare::measure(with.picture, without.picture, 0.0).largest == 0.0);
