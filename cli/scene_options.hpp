@@ -14,7 +14,7 @@ struct SceneOptions {
     int width = 640, height = 480;
     std::vector<std::string> declarations;  // NAME=VALUE
     std::vector<std::string> library_paths;
-    bool number_triangles = false;     // what a mesh remembers, to name them
+    bool number_triangles = false;  // what a mesh remembers, to name them
     /// Files that will be written: none may be one that is read.
     std::vector<std::string> outputs = {};
 
