@@ -204,7 +204,7 @@ struct Findings {
     Crossing nearest;
     F first, second;  // the two nearest of solids' next crossings, true or not
     F ends;           // the nearest crossing that is not its solid's next
-    F sphere_first;   // the nearest with small spheres
+    F sphere_ends;    // where the small sphere ends that the nearest crossing begins
     M doubt;          // lanes that need all stretches
 
     HWY_INLINE Findings()
@@ -212,7 +212,7 @@ struct Findings {
           first(infinity),
           second(infinity),
           ends(infinity),
-          sphere_first(infinity),
+          sphere_ends(infinity),
           doubt(no_lanes()) {}
 };
 

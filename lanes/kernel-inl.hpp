@@ -87,7 +87,7 @@ private:
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch, Findings& found);
-    HWY_INLINE void own_by_small_spheres(Batch& batch, U index, Medium* owner, List& bit) const;
+    HWY_INLINE void own_by_small_spheres(Batch& batch, U index, Medium& owner, List& bit) const;
     HWY_INLINE F nearest_magnitude(const Batch& batch, U index) const;
     void find_event(Batch& batch, const Findings& found);
     HWY_INLINE bool list_event(Batch& batch, const Findings& found);

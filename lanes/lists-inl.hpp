@@ -8,6 +8,7 @@
 #endif
 
 #include "lanes/kernel-inl.hpp"
+#include "lanes/small_sphere_lists-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
@@ -18,7 +19,7 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     const Rays& rays = batch.rays;
     const F nearest = found.nearest.t;
     const F first = max(found.first, F(0.0));
-    F next = min(found.second, found.ends);
+    F next = min(found.second, min(found.ends, found.sphere_ends));
     M met = rays.active & (nearest < F(infinity));
     F t = min(max(nearest, F(0.0)), F(1e300));
     if (batch.is_shadow) {
@@ -36,8 +37,8 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     // Most crossings have the place to themselves, and no false ones before them.
     const M alone = (beyond < next) & (t <= first);
     const M crowded = but_not(rays.active, alone);
-    // Otherwise each solid is crossed once at most, and no small sphere.
-    const M overcrowded = but_not(crowded, beyond < min(found.ends, found.sphere_first));
+    // Otherwise each solid is crossed once at most; small spheres tell all of themselves.
+    const M overcrowded = but_not(crowded, beyond < found.ends);
     if (any((rays.active & doubt) | overcrowded)) return false;
     if (any(crowded)) {
         if (program_.words == 1) {
@@ -93,7 +94,7 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     List bit;
     for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
     if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres != 0) own_by_small_spheres(batch, index, &owner, bit);
+    if (batch.near_spheres != 0) own_by_small_spheres(batch, index, owner, bit);
     batch.owner_dressed = owner.dressed;
 
     List others;
@@ -149,13 +150,6 @@ void Kernel::count_together(Batch& batch, U nearest) {
     F low = t - common, high = t + common;
     List before_list, after_list;
     for (int w = 0; w < words; ++w) before_list.word[w] = after_list.word[w] = batch.inside.word[w];
-    if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
-    if (batch.near_spheres != 0) {
-        List own;
-        for (int w = 0; w < words; ++w) own.word[w] = U(0);
-        own_by_small_spheres(batch, nearest, nullptr, own);
-        for (int w = 0; w < words; ++w) after_list.word[w] = after_list.word[w] ^ own.word[w];
-    }
     Owner surface;
     U contacts(0);
     F passes(0.0);
@@ -194,14 +188,11 @@ void Kernel::count_together(Batch& batch, U nearest) {
     batch.contacts = contacts;
     batch.false_crossings = passes;
     for (int w = 0; w < words; ++w) {
-        batch.before.word[w] = before_list.word[w];
-        batch.after.word[w] = after_list.word[w];
+        const U grouped(group_bits_[w]);
+        batch.before.word[w] = but_not(before_list.word[w], grouped);
+        batch.after.word[w] = but_not(after_list.word[w], grouped);
     }
-    if (!program_.groups.empty()) {
-        Doubles ranks;
-        before.cover(covered_by_small_spheres(batch.before, ranks), ranks, program_);
-        after.cover(covered_by_small_spheres(batch.after, ranks), ranks, program_);
-    }
+    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
     batch.unsure = batch.unsure | (batch.met & torn);
     name_owner(batch, surface, before, after);
 }

@@ -198,61 +198,16 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
     const M have = mask_of(batch.near_spheres);
     const auto of_spheres = [&](const Doubles& numbers)
                                 HWY_ATTR { return select(have, load(numbers.at), F(infinity)); };
-    found.sphere_first = of_spheres(first);
-    found.second = min(min(found.second, of_spheres(second)), max(found.first, found.sphere_first));
-    found.first = min(found.first, found.sphere_first);
-    found.ends = min(found.ends, of_spheres(ends));
+    const F nearest_sphere = of_spheres(first);
+    found.second = min(min(found.second, of_spheres(second)), max(found.first, nearest_sphere));
+    found.first = min(found.first, nearest_sphere);
+    found.sphere_ends = of_spheres(ends);
     if (all_drawn |= drawn; all_drawn != 0) {
         const M which = mask_of(all_drawn);
         found.nearest.t = nearest;
         found.nearest.index = select(which, U(is_small_sphere), found.nearest.index);
         found.nearest.face = but_not(which, found.nearest.face);
     }
-}
-
-/// What is told of nearest crossings that are on small spheres.
-HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, U index, Medium* owner,
-                                             List& bit) const {
-    const M drawn = batch.met & (index == U(is_small_sphere));
-    if (!any(drawn)) return;
-    const std::uint32_t which = bits(drawn);
-    Words contacts, own[list_words];
-    for (int w = 0; w < program_.words; ++w) own[w] = Words(U(0));
-    for_each(which, [&](std::size_t lane) {
-        const auto rank = std::size_t(batch.sphere_ranks[lane]);
-        contacts[lane] = rank + 1;
-        own[rank / 64][lane] = 1ull << (rank % 64);
-    });
-    for (int w = 0; w < program_.words; ++w)
-        bit.word[w] = select(drawn, load(own[w].at), bit.word[w]);
-    batch.sphere_contacts_after = only(drawn, load(contacts.at));
-    batch.contacts = select(drawn, U(0), batch.contacts);
-    if (owner) owner->become(which, batch.sphere_ranks, program_);
-}
-
-/// Of the solid whose crossing is nearest.
-HWY_INLINE F Kernel::nearest_magnitude(const Batch& batch, U index) const {
-    Doubles magnitude(look_up(table_.magnitude, index));
-    for_each(batch.near_spheres & bits(index == U(is_small_sphere)), [&](std::size_t lane) {
-        magnitude[lane] = magnitudes_[std::size_t(batch.sphere_ranks[lane])];
-    });
-    return load(magnitude.at);
-}
-
-/// The lanes with a small sphere on top of a list, and its rank.
-HWY_INLINE std::uint32_t Kernel::covered_by_small_spheres(const List& list, Doubles& ranks) const {
-    M some = no_lanes();
-    for (int w = 0; w < program_.words; ++w) some = some | shares(list.word[w], U(group_bits_[w]));
-    if (!any(some)) return 0;
-    const ListWords words(list, program_);
-    std::uint32_t covered = 0;
-    for_each(some, [&](std::size_t lane) {
-        const int rank = words.top(lane);
-        if (!(group_bits_[rank / 64] >> (rank % 64) & 1u)) return;
-        ranks[lane] = rank;
-        covered |= 1u << lane;
-    });
-    return covered;
 }
 
 /// The lanes whose events small spheres own.
