@@ -60,7 +60,9 @@ HWY_INLINE void Kernel::approach_ball(Batch& batch, Findings& found, std::size_t
     const F chord = min(half, t1);
     const M enters = but_not(F(0.0) < chord, inside);
     found.doubt = found.doubt | (enters & (chord < rays.thin() + F(solid.thin)));
-    found.ends = min(found.ends, select(enters, t1, F(infinity)));
+    const F end = select(enters, t1, F(infinity));
+    batch.crossing_end[i] = end;
+    found.ends = min(found.ends, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
     come_to(batch, found, solid, i, t, F(0.0), hidden_from(batch, solid));
 }
@@ -79,6 +81,7 @@ HWY_INLINE void Kernel::approach_floor(Batch& batch, Findings& found, std::size_
     const M inside = select_mask(has_contact, shares(word, bit), F(0.0) < depth);
     word = but_not(word, bit) | only(inside, bit);
     const M crosses = select_mask(inside, F(0.0) < slope, slope < F(0.0));
+    batch.crossing_end[i] = F(infinity);
     const F t = select(crosses, max(but_not(has_contact, depth / slope), F(0.0)), F(infinity));
     come_to(batch, found, solid, i, t, F(0.0), no_lanes());
 }
@@ -89,7 +92,9 @@ HWY_INLINE void Kernel::come_to_span(Batch& batch, Findings& found, const Solid&
     const F chord = min(t1 - t0, t1);
     const M enters = but_not(exists & (F(0.0) < chord), inside);
     found.doubt = found.doubt | (enters & (chord < batch.rays.thin() + F(solid.thin)));
-    found.ends = min(found.ends, select(enters, t1, F(infinity)));
+    const F end = select(enters, t1, F(infinity));
+    batch.crossing_end[i] = end;
+    found.ends = min(found.ends, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
     come_to(batch, found, solid, i, t, face, hidden_from(batch, solid));
 }
@@ -150,7 +155,7 @@ HWY_INLINE void Kernel::approach_box(Batch& batch, Findings& found, std::size_t 
         rays.active & (inside | !(contact == U(0)) |
                        meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
     if (!any(near)) {
-        batch.crossing[i] = F(infinity);
+        batch.crossing[i] = batch.crossing_end[i] = F(infinity);
         return;
     }
     Line scratch;
@@ -188,7 +193,7 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
         near = near & (inside | shares(rays.contacts, U(15ull << (4 * i))) |
                        meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
     if (!any(near)) {
-        batch.crossing[i] = F(infinity);
+        batch.crossing[i] = batch.crossing_end[i] = F(infinity);
         return;
     }
     const NextCrossings next = solid.way == Way::cup ? next_of_cup(program_, solid, rays)
@@ -196,7 +201,8 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
     const F t = select(inside, next.leave, next.enter),
             end = select(inside, next.enter, next.leave);
     found.doubt = found.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));
-    found.ends = min(found.ends, select(near, end, F(infinity)));
+    found.third = min(found.third, select(near, end, F(infinity)));
+    batch.crossing_end[i] = F(infinity);
     come_to(batch, found, solid, i, select(near, t, F(infinity)),
             select(inside, next.leave_face, next.enter_face), hidden_from(batch, solid));
 }
@@ -215,7 +221,7 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t 
         word = but_not(word, bit) | only(solid.inverse ? !inside : inside, bit);
     }
     if (!is_near) {
-        batch.crossing[i] = F(infinity);
+        batch.crossing[i] = batch.crossing_end[i] = F(infinity);
         return;
     }
     const auto next_of = [](const Stretch& stretch, F& t, F& end, F& face) HWY_ATTR {
@@ -233,7 +239,13 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t 
         end = min(min(end, other_end), max(t, other));
         t = min(t, other);
     }
-    found.ends = min(found.ends, end);
+    batch.crossing_end[i] = F(infinity);
+    if (has_two_stretches(solid.kind)) {
+        found.third = min(found.third, end);
+    } else {
+        batch.crossing_end[i] = end;
+        found.ends = min(found.ends, end);
+    }
     if (!has_faces(solid.kind)) face = F(0.0);
     come_to(batch, found, solid, i, t, face,
             solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes());

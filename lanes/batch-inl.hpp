@@ -204,6 +204,7 @@ struct Findings {
     Crossing nearest;
     F first, second;  // the two nearest of solids' next crossings, true or not
     F ends;           // the nearest crossing that is not its solid's next
+    F third;          // the same of solids that are not convex
     F sphere_ends;    // where the small sphere ends that the nearest crossing begins
     M doubt;          // lanes that need all stretches
 
@@ -212,6 +213,7 @@ struct Findings {
           first(infinity),
           second(infinity),
           ends(infinity),
+          third(infinity),
           sphere_ends(infinity),
           doubt(no_lanes()) {}
 };
@@ -229,6 +231,7 @@ struct Batch {
     M is_mirrored;
     // Where each solid is next crossed, and on which face.
     F crossing[most_solids], crossing_face[most_solids];
+    F crossing_end[most_solids];  // where convex ones are left again that are entered there
     // Where each solid's stretches of the rays lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any

@@ -93,7 +93,7 @@ private:
     HWY_INLINE bool list_event(Batch& batch, const Findings& found);
     HWY_INLINE void change_lists(Batch& batch, const Crossing& nearest);
     template <bool one_word>
-    void count_together(Batch& batch, U nearest);
+    bool count_together(Batch& batch, U nearest);
     HWY_INLINE F bounds_of_event(const Batch& batch, U index, F& pivot) const;
     HWY_INLINE M is_surface(const Batch& batch, U index) const;
     HWY_INLINE M is_in_some(const List& list) const;

@@ -19,7 +19,7 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     const Rays& rays = batch.rays;
     const F nearest = found.nearest.t;
     const F first = max(found.first, F(0.0));
-    F next = min(found.second, min(found.ends, found.sphere_ends));
+    F next = min(min(found.second, found.third), min(found.ends, found.sphere_ends));
     M met = rays.active & (nearest < F(infinity));
     F t = min(max(nearest, F(0.0)), F(1e300));
     if (batch.is_shadow) {
@@ -37,19 +37,16 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     // Most crossings have the place to themselves, and no false ones before them.
     const M alone = (beyond < next) & (t <= first);
     const M crowded = but_not(rays.active, alone);
-    // Otherwise each solid is crossed once at most; small spheres tell all of themselves.
-    const M overcrowded = but_not(crowded, beyond < found.ends);
+    // Otherwise solids that are not convex are crossed once at most; small spheres tell all of
+    // themselves.
+    const M overcrowded = but_not(crowded, beyond < found.third);
     if (any((rays.active & doubt) | overcrowded)) return false;
-    if (any(crowded)) {
-        if (program_.words == 1) {
-            count_together<true>(batch, found.nearest.index);
-        } else {
-            count_together<false>(batch, found.nearest.index);
-        }
-    } else {
+    if (!any(crowded)) {
         change_lists(batch, found.nearest);
+        return true;
     }
-    return true;
+    return program_.words == 1 ? count_together<true>(batch, found.nearest.index)
+                               : count_together<false>(batch, found.nearest.index);
 }
 
 HWY_INLINE void Kernel::mark_ties(Batch& batch) {
@@ -135,10 +132,10 @@ HWY_INLINE F Kernel::bounds_of_event(const Batch& batch, U index, F& pivot) cons
                F(100.0 * program_.contact_tolerance));
 }
 
-/// The lists where each solid is crossed once at most up to behind the event: what lies within the
-/// tolerance of it counts together.
+/// The lists where each solid is crossed once at most about the event: what lies within the
+/// tolerance of it counts together. False if one is crossed twice there.
 template <bool one_word>
-void Kernel::count_together(Batch& batch, U nearest) {
+bool Kernel::count_together(Batch& batch, U nearest) {
     const int words = one_word ? 1 : program_.words;
     const Rays& rays = batch.rays;
     const F t = batch.t;
@@ -166,17 +163,27 @@ void Kernel::count_together(Batch& batch, U nearest) {
         const M passed = at < low, reached = at <= high;
         const M touches = but_not(reached, passed);
         torn = torn | (touches ^ (abs(at - t) <= reach));
+        M reached_once = reached, passed_once = passed;
         if (any(passed)) {
             batch.has_passed = true;
             passes = passes + only(passed, F(1.0));
+            // A solid that is entered and left again on the way.
+            const F end = batch.crossing_end[i];
+            const M left = end < low - reach;
+            if (any(rays.active & but_not(end <= high + reach, left))) return false;
+            passes = passes + only(left, F(1.0));
+            reached_once = but_not(reached, left);
+            passed_once = but_not(passed, left);
+        } else if (any(rays.active & (batch.crossing_end[i] <= high + reach))) {
+            return false;
         }
         const F face = has_faces(solid.kind) ? only(touches, batch.crossing_face[i]) : F(0.0);
         contacts = contacts | only(touches, has_faces(solid.kind) ? contact_word(face, int(i))
                                                                   : U(1ull << (4 * i)));
         const std::size_t word = one_word ? 0 : std::size_t(solid.place / 64);
         const U bit(1ull << (solid.place % 64));
-        before_list.word[word] = before_list.word[word] ^ only(passed, bit);
-        after_list.word[word] = after_list.word[word] ^ only(reached, bit);
+        before_list.word[word] = before_list.word[word] ^ only(passed_once, bit);
+        after_list.word[word] = after_list.word[word] ^ only(reached_once, bit);
         if (solid.rank < 0) {
             surface.own(touches, i, face);
             continue;
@@ -195,6 +202,7 @@ void Kernel::count_together(Batch& batch, U nearest) {
     if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
     batch.unsure = batch.unsure | (batch.met & torn);
     name_owner(batch, surface, before, after);
+    return true;
 }
 
 /// Whose surface the event is, if no surface of its own has it: that of the stronger of two solids.

@@ -168,7 +168,11 @@ TEST_CASE("a solid that some rays do not meet in lanes is counted", "[lanes][fau
     for (const geom::Shape& shape : native_shapes) {
         // Rays that were mirrored find themselves inside of what they have not entered.
         const auto found = outcome(around(shape), [](lanes::Program& program) {
-            solid_of(program, outer).to_camera = false;
+            lanes::Solid& solid = solid_of(program, outer);
+            solid.to_camera = false;
+            // What not all rays meet has no short way of its own.
+            solid.way = lanes::Way::any;
+            std::erase(program.balls, int(&solid - program.solids.data()));
         });
         INFO(geom::keyword(shape));
         check_blamed(found);
