@@ -3,10 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "povray/error.hpp"
 
 namespace meniscus::povray {
+namespace {
+
+/// Whether a ray of many in all directions from the camera meets nothing opaque and ends up in the
+/// part for ever.
+bool lets_rays_to_the_sky(const tracer::RenderScene& scene, const tracer::Part& part) {
+    constexpr int directions = 1024;
+    constexpr double golden_angle = 2.399963229728653;  // Fibonacci's lattice on the sphere
+    geom::Ray ray;
+    ray.origin = scene.source.camera.location;
+    const auto is_met = [&](const tracer::Part& other) {
+        geom::Crossings crossings;
+        if (other.is_opaque) other.shape.crossings(ray, crossings);
+        return std::ranges::any_of(crossings, [](const auto& c) { return c.t > 0.0; });
+    };
+    for (int i = 0; i < directions; ++i) {
+        const double y = (2.0 * i + 1.0) / directions - 1.0, r = std::sqrt(1.0 - y * y);
+        ray.direction = {r * std::cos(i * golden_angle), y, r * std::sin(i * golden_angle)};
+        const auto far = ray.origin + 1e9 * scene.size * ray.direction;
+        if (part.shape.contains(far) != part.inverse && std::ranges::none_of(scene.parts, is_met))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
 
 void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
     using tracer::Part;
@@ -52,7 +78,8 @@ std::vector<std::string> doubts(const tracer::RenderScene& scene, const Plan& pl
         const auto& solid = scene.source.solids[std::size_t(body.solid)];
         const bool is_endless = std::ranges::any_of(body.parts, [&](int index) {
             const tracer::Part& part = scene.parts[std::size_t(index)];
-            return part.inverse || !part.shape.bounds().is_finite();
+            return (part.inverse || !part.shape.bounds().is_finite()) &&
+                   lets_rays_to_the_sky(scene, part);
         });
         if (body.is_outside || !is_endless || !solid.interior.attenuates()) continue;
         lines.push_back(

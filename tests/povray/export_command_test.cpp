@@ -146,7 +146,8 @@ TEST_CASE("media without an end that absorb are warned of", "[export]") {
     INFO(result.err);
     CHECK(result.exit_code == 0);
     CHECK_THAT(result.err, Contains("s.scene:2: ") && Contains("absorbs and has no end"));
-    program.write("t.scene", head + "sphere { 0, 3 " + absorbing);
+    program.write("t.scene", head + "plane { y, -9 pigment { rgb 1 } }\n" + "plane { y, -0.5 " +
+                                 absorbing + "sphere { 0, 3 " + absorbing);
     CHECK_THAT(program.run("export t.scene -o t.pov --model " + model).err, !Contains("no end"));
 }
 
