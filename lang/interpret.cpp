@@ -1,6 +1,7 @@
 #include "lang/interpret.hpp"
 
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -36,8 +37,7 @@ void declare_options(Session& session) {
 }
 
 template <class Load>
-Interpreted interpret(const Options& options, Load load) {
-    const StackMark mark;
+Interpreted interpret_here(const Options& options, Load load) {
     Session session(options);
     std::vector<UnusedObject> unused_objects;
     try {
@@ -60,6 +60,13 @@ Interpreted interpret(const Options& options, Load load) {
             std::move(session.messages),
             std::move(unused_objects),
             {session.library.files().begin(), session.library.files().end()}};
+}
+
+template <class Load>
+Interpreted interpret(const Options& options, Load load) {
+    std::optional<Interpreted> result;
+    run_on_own_stack([&] { result = interpret_here(options, load); });
+    return std::move(*result);
 }
 
 }  // namespace

@@ -1,21 +1,17 @@
 #pragma once
 
+#include <functional>
+
 namespace meniscus::lang {
 
-/// Remembers where the stack stood when the work began, and whether the work has gone down so far
-/// that it must stop: recursion follows the nesting of the scene's text, and the text is not to be
+/// Runs the work, and waits for it, on a stack of its own: recursion follows the nesting of the
+/// scene's text, and how deep it may go must not hang on the machine's settings or on how the
+/// program was built. What the work throws is thrown here.
+/// Throws std::system_error where no such stack can be had.
+void run_on_own_stack(const std::function<void()>& work);
+
+/// Whether work on such a stack has gone down so far that it must stop: the text is not to be
 /// trusted.
-class StackMark {
-public:
-    StackMark();
-    ~StackMark();
-    StackMark(const StackMark&) = delete;
-    StackMark& operator=(const StackMark&) = delete;
-
-private:
-    const char* outer_;
-};
-
 bool stack_is_nearly_full();
 
 }  // namespace meniscus::lang
