@@ -15,6 +15,8 @@ namespace {
 constexpr auto lints = std::to_array<Lint*>({
     find_bad_meetings,
     find_hidden_solids,
+    find_buried_solids,
+    find_thin_solids,
     find_open_meshes,
     find_repaired_meshes,
     find_bad_shells,

@@ -15,7 +15,9 @@ using Lint = void(const tracer::RenderScene& scene, const Names& names,
 
 Lint find_bad_meetings;   // lint_meetings.cpp
 Lint find_hidden_solids;  // lint_hidden.cpp
-Lint find_open_meshes;    // lint_meshes.cpp
+Lint find_buried_solids;  // lint_unseen.cpp
+Lint find_thin_solids;
+Lint find_open_meshes;  // lint_meshes.cpp
 Lint find_repaired_meshes;
 Lint find_bad_shells;           // lint_shells.cpp
 Lint find_media_without_solid;  // lint_media.cpp
