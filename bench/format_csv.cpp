@@ -41,7 +41,7 @@ std::string format_csv(const std::vector<Report>& reports) {
                 cell(result.scene), result.width, result.height, result.threads,
                 cell(row.contender.curve), cell(row.contender.options), int(row.is_on_front),
                 row.error.rmse, row.error.bias, result.references.at(row.contender.model).rmse,
-                row.estimated_error > 0.0 ? fmt::format("{:.6g}", row.estimated_error) : "",
+                row.estimated_error ? fmt::format("{:.6g}", *row.estimated_error) : "",
                 row.median_seconds(), least, largest, row.seconds.size(), counts(row));
         }
     }

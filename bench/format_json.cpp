@@ -17,7 +17,7 @@ Json to_json(const Row& row) {
     }
     json["on_front"] = row.is_on_front;
     json["error"] = compare::to_json(row.error);
-    if (row.estimated_error > 0.0) json["estimated_error"] = row.estimated_error;
+    if (row.estimated_error) json["estimated_error"] = *row.estimated_error;
     json["cpu_seconds"] = row.median_seconds();
     json["runs"] = row.seconds;
     if (row.contender.is_povray()) return json;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Row {
     std::vector<double> seconds;   // CPU, of the render stage, run by run
     tracer::Statistics counts;     // of Meniscus alone
     std::string kernel;            // "lanes", or "general: " and why
-    double estimated_error = 0.0;  // --aa: what the renderer itself says
+    std::optional<double> estimated_error;  // --aa: what the renderer itself says
     bool is_on_front = false;      // no other of its curve beats it in time and error
     std::string failure;           // why there is no picture
 

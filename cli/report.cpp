@@ -92,8 +92,8 @@ std::string format_statistics(const Report& report) {
     const double pixels = double(rendered.picture.width) * rendered.picture.height;
     auto text = fmt::format("picture    {} x {}, tree {}, {:.4g} samples a pixel", report.width,
                             report.height, name(rendered.tree), double(s.samples) / pixels);
-    if (rendered.estimated_error > 0.0)
-        text += fmt::format(", estimated error {:.2g}", rendered.estimated_error);
+    if (const auto error = rendered.estimated_error)
+        text += fmt::format(", estimated error {:.2g}", *error);
     text += fmt::format("\nrays       camera {}, reflected {}, refracted {}, shadow {}\n",
                         s.camera_rays, s.reflected_rays, s.refracted_rays, s.shadow_rays);
     text += fmt::format("casts      {}", in_words(double(s.casts)));
@@ -122,7 +122,8 @@ std::string format_json(const Report& report) {
     json["height"] = report.height;
     json["tree"] = name(rendered.tree);
     json["samples"] = s.samples;
-    json["estimated_error"] = rendered.estimated_error;
+    json["estimated_error"] = nullptr;
+    if (const auto error = rendered.estimated_error) json["estimated_error"] = *error;
     json["reproduce"] = rendered.reproduce;
     json["interrupted"] = rendered.interrupted;
     json["rays"] = {{"camera", s.camera_rays},

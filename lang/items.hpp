@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,10 +29,21 @@ struct Refusal {
     std::string advice;  // what to write instead, if anything
 };
 
+/// How much a pigment holds, which names for pigments let grow without many words.
+struct PigmentSize {
+    int depth = 1;      // of pigments in maps
+    double parts = 1.0;  // pigments, itself included
+
+    void add(const PigmentSize& part) {
+        depth = std::max(depth, part.depth + 1);
+        parts += part.parts;
+    }
+};
+
 struct PigmentItem {
     scene::Pigment pigment;
     std::optional<Refusal> refusal;
-    int depth = 1;  // of pigments in maps
+    PigmentSize size;
 };
 
 struct FinishItem {
@@ -69,7 +81,7 @@ struct MaterialItem {
 struct MapItem {
     std::variant<scene::ColorMap, scene::PigmentMap> map;
     std::optional<Refusal> refusal;
-    int depth = 1;
+    PigmentSize size;
 };
 
 struct TransformItem {

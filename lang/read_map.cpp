@@ -37,7 +37,7 @@ void read_pigment_entry(Cursor& entry, scene::PigmentMap& map, MapItem& item) {
     const double position = entry.number();
     auto pigment = read_pigment(entry, entry.session().default_texture.pigment);
     if (pigment.refusal && !item.refusal) item.refusal = pigment.refusal;
-    item.depth = std::max(item.depth, pigment.depth + 1);
+    item.size.add(pigment.size);
     map.entries.push_back(
         {position, std::make_shared<const scene::Pigment>(std::move(pigment.pigment))});
 }

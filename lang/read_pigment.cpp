@@ -1,5 +1,7 @@
 #include "lang/read_pigment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,12 +34,13 @@ bool starts_color(Cursor& cursor) {
 std::vector<std::shared_ptr<const Pigment>> read_list(Cursor& cursor, PigmentItem& item,
                                                       std::vector<Color> defaults) {
     std::vector<std::shared_ptr<const Pigment>> list;
+    item.size = {};
     while (list.size() < defaults.size()) {
         if (const auto* block = cursor.block(); block && block->word == "pigment") {
             Cursor inner(cursor.session(), *block, cursor.span());
             auto part = read_pigment(inner, cursor.session().default_texture.pigment);
             if (part.refusal && !item.refusal) item.refusal = part.refusal;
-            item.depth = std::max(item.depth, part.depth + 1);
+            item.size.add(part.size);
             list.push_back(std::make_shared<const Pigment>(std::move(part.pigment)));
             cursor.advance();
             cursor.accept_comma();
@@ -132,7 +135,8 @@ void use_map(PigmentItem& item, const MapItem& map, const Span& span) {
         throw SourceError(span, "a map needs a pattern in front of it, as in gradient x");
     }
     if (map.refusal && !item.refusal) item.refusal = map.refusal;
-    item.depth = std::max(item.depth, map.depth + 1);
+    item.size = {};  // instead of what was there
+    item.size.add(map.size);
     if (auto* gradient = gradient_of(item)) gradient->map = map.map;
 }
 
@@ -209,8 +213,12 @@ PigmentItem read_pigment(Cursor& cursor, PigmentItem item) {
         }
         cursor.fail_unknown();
     }
-    if (item.depth > cursor.session().options.limits.nesting)
+    const auto& limits = cursor.session().options.limits;
+    if (item.size.depth > limits.nesting)
         throw SourceError(cursor.span(), "pigments nested too deep");
+    if (item.size.parts > limits.pigment_parts)
+        throw SourceError(cursor.span(), fmt::format("this pigment holds more than {:.0f} others",
+                                                     limits.pigment_parts));
     return item;
 }
 

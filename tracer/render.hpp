@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+
 #include "image/image.hpp"
 #include "tracer/options.hpp"
 #include "tracer/render_scene.hpp"
@@ -12,8 +16,7 @@ struct Rendered {
     Statistics statistics;
     double seconds = 0.0, cpu_seconds = 0.0;  // of the render stage
     Tree tree = Tree::whitted;                // what was chosen
-    double estimated_error =
-        0.0;  // adaptive sampling: root mean square error reached, as estimated
+    std::optional<double> estimated_error;  // adaptive sampling: root mean square reached
     std::map<std::string, std::string>
         reproduce;  // options that make the same picture again ("samples": "64")
     bool interrupted = false;

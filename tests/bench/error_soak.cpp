@@ -28,11 +28,12 @@ int main(int argc, char** argv) {
             // The reference's error is no part of it.
             const double error =
                 std::sqrt(std::max(0.0, seen * seen - reference.rmse * reference.rmse));
-            const double ratio = error / rendered.estimated_error;
+            const double estimated = rendered.estimated_error.value();
+            const double ratio = error / estimated;
             const bool is_honest = ratio > 0.8 && ratio < 1.2;
             off += !is_honest;
             fmt::print("  --aa {:<6} estimated {:.2e}, reached {:.2e}: {:.2f}{}\n", wanted,
-                       rendered.estimated_error, error, ratio, is_honest ? "" : "  OFF");
+                       estimated, error, ratio, is_honest ? "" : "  OFF");
         }
     }
     return off == 0 ? 0 : 1;
