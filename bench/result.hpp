@@ -16,13 +16,13 @@ namespace meniscus::bench {
 /// What one contender did.
 struct Row {
     Contender contender;
-    compare::Metrics error;        // against the reference of its model
-    std::vector<double> seconds;   // CPU, of the render stage, run by run
-    tracer::Statistics counts;     // of Meniscus alone
-    std::string kernel;            // "lanes", or "general: " and why
+    compare::Metrics error;                 // against the reference of its model
+    std::vector<double> seconds;            // CPU, of the render stage, run by run
+    tracer::Statistics counts;              // of Meniscus alone
+    std::string kernel;                     // "lanes", or "general: " and why
     std::optional<double> estimated_error;  // --aa: what the renderer itself says
-    bool is_on_front = false;      // no other of its curve beats it in time and error
-    std::string failure;           // why there is no picture
+    bool is_on_front = false;               // no other of its curve beats it in time and error
+    std::string failure;                    // why there is no picture
 
     double median_seconds() const;
     double nanoseconds_a_segment() const;

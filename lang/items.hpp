@@ -31,7 +31,7 @@ struct Refusal {
 
 /// How much a pigment holds, which names for pigments let grow without many words.
 struct PigmentSize {
-    int depth = 1;      // of pigments in maps
+    int depth = 1;       // of pigments in maps
     double parts = 1.0;  // pigments, itself included
 
     void add(const PigmentSize& part) {

@@ -19,7 +19,7 @@ struct Limits {
     std::size_t array_elements = 10'000'000;
     std::size_t objects = 2'000'000;
     double pigment_parts = 100'000;  // of one pigment
-    std::size_t warnings = 200;  // the rest is counted only
+    std::size_t warnings = 200;      // the rest is counted only
 };
 
 /// What the command line says about reading a scene.

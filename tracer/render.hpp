@@ -16,7 +16,7 @@ struct Rendered {
     Statistics statistics;
     double seconds = 0.0, cpu_seconds = 0.0;  // of the render stage
     Tree tree = Tree::whitted;                // what was chosen
-    std::optional<double> estimated_error;  // adaptive sampling: root mean square reached
+    std::optional<double> estimated_error;    // adaptive sampling: root mean square reached
     std::map<std::string, std::string>
         reproduce;  // options that make the same picture again ("samples": "64")
     bool interrupted = false;

@@ -43,8 +43,7 @@ TEST_CASE("adaptive sampling says how far the picture is off, to a fifth", "[tra
         const double error = compare::measure(truth, rendered.picture, 0.0).rmse;
         REQUIRE(rendered.estimated_error);
         const double estimated = *rendered.estimated_error;
-        INFO("wanted " << wanted << ", estimated " << estimated << ", reached "
-                       << error);
+        INFO("wanted " << wanted << ", estimated " << estimated << ", reached " << error);
         CHECK(estimated <= wanted);
         CHECK(error > 0.8 * estimated);
         CHECK(error < 1.2 * estimated);
