@@ -208,7 +208,11 @@ tracer::Options make_tracer_options(const TracerOptions& options, const SceneOpt
         result.instruction_set = options.kernel;
     }
     if (options.depth) result.depth = *options.depth;
-    result.cutoff = options.cutoff;
+    if (options.cutoff) {
+        if (result.tree != tracer::Tree::full)
+            throw UsageError("--cutoff drops branches of --tree full; the other trees have none");
+        result.cutoff = *options.cutoff;
+    }
     result.filter = named(filters, options.filter);
     result.seed = options.seed;
     result.threads = options.threads;

@@ -23,7 +23,7 @@ struct TracerOptions {
     std::string interior = "sweep";
     std::string kernel = "automatic";
     std::optional<int> depth;
-    double cutoff = tracer::Options{}.cutoff;
+    std::optional<double> cutoff;  // of --tree full
     std::string filter{tracer::name(tracer::Options{}.filter)};
     std::uint64_t seed = 0;
     int threads = 0;

@@ -87,9 +87,12 @@ private:
 
 /// Where the bytes go in the end: a link stays a link.
 fs::path resolve(const fs::path& path) {
+    constexpr int longest_chain = 40;  // as Linux has it
     std::error_code ignored;
-    const auto resolved = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
-    return resolved.empty() ? path : resolved;
+    fs::path place = path;
+    for (int i = 0; i < longest_chain && fs::is_symlink(place, ignored); ++i)
+        place = place.parent_path() / fs::read_symlink(place, ignored);  // which may be absolute
+    return place;
 }
 
 /// A device or pipe, which must not be replaced by a file.

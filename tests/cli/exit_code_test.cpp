@@ -42,6 +42,7 @@ TEST_CASE("wrong options are 2, with one line that names them", "[cli]") {
         {"render ball.scene --region 0 0 9999 1", "9999"},
         {"render ball.scene --region 0 0 1", "--region"},
         {"render ball.scene --depth 30", "--tree full"},
+        {"render ball.scene --cutoff 0.1", "--tree full"},
         {"render ball.scene --bits 12", "12"},
         {"render ball.scene -o picture.jpg", "picture.jpg"},
         {"render ball.scene --half", "--half"},

@@ -64,6 +64,10 @@ TEST_CASE("a link stays a link and the file keeps its mode", "[image]") {
     write_file(folder / "link.png", "new");
     CHECK(fs::is_symlink(folder / "link.png"));
     CHECK(read_file(folder / "real.png") == "new");
+    fs::create_symlink("later.png", folder / "early.png");
+    write_file(folder / "early.png", "first");
+    CHECK(fs::is_symlink(folder / "early.png"));
+    CHECK(read_file(folder / "later.png") == "first");
     CHECK((fs::status(folder / "real.png").permissions() & fs::perms::mask) == fs::perms(0640));
 }
 
