@@ -53,6 +53,7 @@ void sort(Crossings& crossings, std::size_t begin) {
 TriangleMesh::TriangleMesh(TriangleSoup soup) {
     WeldedTriangles welded = weld(std::move(soup));
     normals_ = std::move(welded.normals);
+    if (normals_.empty()) welded.corner_normals = {};
     stats_.degenerate = welded.degenerate;
     stats_.first_degenerate = welded.first_degenerate;
     stats_.duplicate_positions = welded.duplicate_positions;

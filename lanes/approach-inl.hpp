@@ -9,6 +9,7 @@
 #endif
 
 #include "lanes/meet-inl.hpp"
+#include "lanes/mesh-inl.hpp"
 #include "lanes/near_lathe-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,12 +38,18 @@ HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
             case Way::stepped_lathe:
                 approach_lathe(batch, found, std::size_t(i));
                 break;
+            case Way::mesh:
+                break;
             case Way::any:
                 approach_any(batch, found, std::size_t(i));
         }
     }
     if (!program_.groups.empty()) find_small_spheres(batch, found);
-    for (const int i : program_.foreign) approach_any(batch, found, std::size_t(i));
+    for (const int i : program_.foreign) {
+        if (program_.solids[std::size_t(i)].way != Way::mesh)
+            approach_any(batch, found, std::size_t(i));
+    }
+    if (program_.has_meshes) approach_meshes(batch, found);
 }
 
 /// The most frequent solid: a sphere that stands in the list, is where it was made and that all

@@ -226,7 +226,7 @@ struct Batch {
     Rays rays;
     F3 throughput;
     F weight, way_before;
-    U code, key, sphere_contacts;
+    U code, key, sphere_contacts, mesh_contacts;
     List inside;
     M is_mirrored;
     // Where each solid is next crossed, and on which face.
@@ -238,6 +238,8 @@ struct Batch {
     SphereStretches spheres[lanes];
     Doubles sphere_ranks;            // of nearest crossings with small spheres, then of owners
     std::uint32_t near_spheres = 0;  // lanes that have some
+    F mesh_known;                    // so far all crossings with meshes are known
+    M mesh_doubt;                    // lanes for which a mesh is too close to call
     Crossing nearest;
     M unsure;  // too close to call
     // The event: what is there just before and just after it.
@@ -247,7 +249,7 @@ struct Batch {
     U contacts;
     bool has_passed = false;  // whether there are false crossings
     F false_crossings;
-    U sphere_contacts_after;
+    U sphere_contacts_after, mesh_contacts_after;
     Medium medium_before, medium_after;
     // What is met: no surface, a clear one, one that lanes can shade, one that the host shades.
     U level;
@@ -265,6 +267,13 @@ struct Batch {
 HWY_INLINE U contact_word(F face, int index) {
     const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
     return shift_left(as_words(with_exponent) & U(15), 4 * index);
+}
+
+/// Adds the triangle of a further mesh to a word of them; rays in contact with three are `torn`.
+HWY_INLINE void touch_mesh(U& contacts, M touches, F face, M& torn) {
+    const U triangle = as_words(face + F(0x1p52 + 1.0)) & U(0xffffffffu);
+    torn = torn | (touches & !(shift_right(contacts, 32) == U(0)));
+    contacts = select(touches, shift_left(contacts, 32) | triangle, contacts);
 }
 
 /// The stretch of a ray in one small sphere, as `sphere_span` and `resolve` have it for lanes;

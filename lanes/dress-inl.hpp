@@ -23,7 +23,8 @@ HWY_INLINE void Kernel::dress(const Batch& batch) {
         limits(batch.is_shadow ? batch.rays.t_max : F(infinity));
     const Words codes(batch.code), levels(batch.level),
         keys(has_key(batch.is_shadow) ? batch.key : U(0)), contacts(batch.contacts),
-        sphere_contacts(program_.groups.empty() ? U(0) : batch.sphere_contacts_after);
+        sphere_contacts(program_.groups.empty() ? U(0) : batch.sphere_contacts_after),
+        mesh_contacts(program_.has_meshes ? batch.mesh_contacts_after : U(0));
     const Words owners(batch.owner_index);
     const ListWords before(batch.before, program_), after(batch.after, program_);
     const std::uint32_t surfaces = bits(batch.by_surface);
@@ -52,6 +53,7 @@ HWY_INLINE void Kernel::dress(const Batch& batch) {
         }
         surface.contacts = contacts[lane];
         if (!program_.groups.empty()) surface.sphere_contacts = sphere_contacts[lane];
+        if (program_.has_meshes) surface.mesh_contacts = mesh_contacts[lane];
         surface.magnitude = magnitudes[lane];
         surface.level = int(levels[lane] >> RayCode::level_shift);
         add_light(surface.ray.code, host_.shade(surface, stacks_));

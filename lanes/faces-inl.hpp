@@ -81,6 +81,7 @@ HWY_INLINE FacePoint face_point(const Solid& solid, F3 world, F face) {
             break;
         }
         case Kind::other_convex:
+        case Kind::mesh:
         case Kind::other:
             break;  // the host's
     }

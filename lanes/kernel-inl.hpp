@@ -73,6 +73,11 @@ private:
     HWY_INLINE void approach_box(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE void approach_lathe(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE void approach_any(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void approach_meshes(Batch& batch, Findings& found);
+    HWY_INLINE void approach_mesh(Batch& batch, Findings& found, std::size_t i);
+    HWY_INLINE void ask_mesh(Batch& batch, const Findings& found, std::size_t i, M which, M hidden);
+    HWY_INLINE void doubt_meshes(Batch& batch) const;
+    HWY_INLINE M sees(const Batch& batch, const Solid& solid) const;
     HWY_INLINE void come_to_span(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
                                  M inside, F t0, F t1, M exists, F face);
     HWY_INLINE void come_to(Batch& batch, Findings& found, const Solid& solid, std::size_t i, F t,

@@ -65,6 +65,7 @@ WaitingRay Surface::next(const geom::Vec3& direction, bool behind) const {
     result.inside = behind ? after : before;
     result.contacts = contacts;
     result.sphere_contacts = sphere_contacts;
+    result.mesh_contacts = mesh_contacts;
     return result;
 }
 

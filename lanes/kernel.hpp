@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ struct Surface {
     bool is_member = false;              // false: a surface that is always met
     int rank_before = no_rank, rank_after = no_rank;
     Places before{}, after{};
-    std::uint64_t contacts = 0, sphere_contacts = 0;
+    std::uint64_t contacts = 0, sphere_contacts = 0, mesh_contacts = 0;
     double magnitude = 0.0;  // M at the point
     int level = 0;
 
@@ -42,6 +44,26 @@ struct Met {
                    // from the line's origin
 };
 
+/// A ray that may come to a mesh, as its list has it.
+struct MeshRay {
+    geom::Ray ray;
+    double birth_magnitude;
+    double farthest;             // what lies beyond is not asked for
+    bool knows_side, is_inside;  // whether it starts inside of the shape, if that is known
+    geom::Face born_on;          // a triangle, or no_face
+    bool is_hidden;              // something stronger is there: it does not end at the mesh
+    double slack, slack_per_t;   // else what it needs goes so far beyond its end
+};
+
+/// What it comes to.
+struct MeshMet {
+    bool is_sure;  // false: too close to call
+    bool starts_inside;
+    int count;
+    std::array<geom::Crossing, most_mesh_crossings> at;  // in turn leaving and entering
+    double known;                                        // so far these are all
+};
+
 /// Who owns the picture, textures and lights, and the general way of following a ray.
 class Host {
 public:
@@ -60,6 +82,8 @@ public:
     /// The crossings of a line with a foreign solid, sorted; their number, or -1 if there are more
     /// than `most_lathe_crossings`.
     virtual int crossings(const Solid& solid, const geom::Ray& ray, Met* out) = 0;
+    /// Where rays come to a mesh: an answer for each of them.
+    virtual void meet_mesh(const Solid& solid, std::span<const MeshRay> rays, MeshMet* met) = 0;
     /// Puts a point back on a face of a foreign solid: returns the outward unit normal there.
     virtual geom::Vec3 put_on_face(const Solid& solid, geom::Face face, geom::Vec3& point) = 0;
     /// Follows a ray and all that comes of it: returns the light times the throughput. For what is

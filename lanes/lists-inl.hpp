@@ -91,6 +91,8 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     List bit;
     for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
     if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
+    if (program_.has_meshes)
+        batch.mesh_contacts_after = as_words(nearest.face + F(0x1p52 + 1.0)) & U(0xffffffffu);
     if (batch.near_spheres != 0) own_by_small_spheres(batch, index, owner, bit);
     batch.owner_dressed = owner.dressed;
 
@@ -148,7 +150,7 @@ bool Kernel::count_together(Batch& batch, U nearest) {
     List before_list, after_list;
     for (int w = 0; w < words; ++w) before_list.word[w] = after_list.word[w] = batch.inside.word[w];
     Owner surface;
-    U contacts(0);
+    U contacts(0), mesh_contacts(0);
     F passes(0.0);
     Top before(program_.outside), after(program_.outside);
     M torn = no_lanes();
@@ -180,6 +182,7 @@ bool Kernel::count_together(Batch& batch, U nearest) {
         const F face = has_faces(solid.kind) ? only(touches, batch.crossing_face[i]) : F(0.0);
         contacts = contacts | only(touches, has_faces(solid.kind) ? contact_word(face, int(i))
                                                                   : U(1ull << (4 * i)));
+        if (solid.way == Way::mesh) touch_mesh(mesh_contacts, touches, face, torn);
         const std::size_t word = one_word ? 0 : std::size_t(solid.place / 64);
         const U bit(1ull << (solid.place % 64));
         before_list.word[word] = before_list.word[word] ^ only(passed_once, bit);
@@ -193,6 +196,7 @@ bool Kernel::count_together(Batch& batch, U nearest) {
         after.cover(shares(after_list.word[word], bit), solid.rank, face, program_);
     }
     batch.contacts = contacts;
+    if (program_.has_meshes) batch.mesh_contacts_after = mesh_contacts;
     batch.false_crossings = passes;
     for (int w = 0; w < words; ++w) {
         const U grouped(group_bits_[w]);

@@ -33,6 +33,7 @@ void Kernel::find_stretches(Batch& batch, Findings& found) {
 inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
+    if (solid.way == Way::mesh) return batch.is_near[i];  // they are asked once
     const std::size_t word = std::size_t(solid.place / 64);
     const M listed = shares(batch.inside.word[word], U(1ull << (solid.place % 64)));
     const M has_contact = shares(rays.contacts, U(15ull << (4 * i)));
@@ -89,14 +90,8 @@ inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
         stretches[first].face_in = span.face0;
         stretches[first].face_out = span.face1;
     }
-    if (!(solid.to_camera && solid.to_mirrors && solid.to_lights)) {
-        if (batch.is_shadow) {
-            if (!solid.to_lights) unmet = !no_lanes();
-        } else {
-            if (!solid.to_camera) unmet = unmet | !batch.is_mirrored;
-            if (!solid.to_mirrors) unmet = unmet | batch.is_mirrored;
-        }
-    }
+    if (!(solid.to_camera && solid.to_mirrors && solid.to_lights))
+        unmet = unmet | !sees(batch, solid);
     if (any(unmet)) {
         unsure = but_not(unsure, unmet);
         for (std::size_t slot = first; slot < end; ++slot) {
@@ -109,6 +104,15 @@ inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
     if (end > first + 1) near = near | (stretches[first + 1].in < F(infinity));
     batch.is_near[i] = any(near);
     return batch.is_near[i];
+}
+
+/// The rays that the solid is there for.
+HWY_INLINE M Kernel::sees(const Batch& batch, const Solid& solid) const {
+    if (batch.is_shadow) return solid.to_lights ? !no_lanes() : no_lanes();
+    M result = !no_lanes();
+    if (!solid.to_camera) result = result & batch.is_mirrored;
+    if (!solid.to_mirrors) result = but_not(result, batch.is_mirrored);
+    return result;
 }
 
 /// Solid `i`, by its whole stretches.

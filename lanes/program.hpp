@@ -20,6 +20,8 @@ using Places = std::array<std::uint64_t, list_words>;
 /// Straight pieces of a lathe's profile, and crossings of it on one line.
 inline constexpr int most_pieces = 14;
 inline constexpr int most_lathe_crossings = 4;
+/// Crossings of a mesh that are told of at a time.
+inline constexpr int most_mesh_crossings = 4;
 
 inline constexpr int no_rank = -1;
 
@@ -27,11 +29,11 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /// Chords this share of the magnitude long may be none: so near to a tangent rounding decides.
 inline constexpr double thin_chord = 1e-6;
 
-/// The last two are met by the host, one ray at a time: any other convex solid, and any other.
-enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, other };
+/// The last three are met by the host: any other convex solid, meshes, and any other.
+enum class Kind { sphere, box, cylinder, half_space, lathe, other_convex, mesh, other };
 
 /// By which code it is asked for its next crossing.
-enum class Way { ball, floor, cylinder, box, cup, stepped_lathe, any };
+enum class Way { ball, floor, cylinder, box, cup, stepped_lathe, mesh, any };
 
 /// Whether it is worth a look first whether a ray comes near it.
 inline bool is_costly(Kind kind) {
@@ -40,7 +42,9 @@ inline bool is_costly(Kind kind) {
 /// Whether the host meets it.
 inline bool is_foreign(Kind kind) { return kind >= Kind::other_convex; }
 /// Whether a ray may be inside of it twice.
-inline bool has_two_stretches(Kind kind) { return kind == Kind::lathe || kind == Kind::other; }
+inline bool has_two_stretches(Kind kind) {
+    return kind == Kind::lathe || kind == Kind::mesh || kind == Kind::other;
+}
 
 /// Whether a crossing must say which face it is on.
 inline bool has_faces(Kind kind) { return kind != Kind::sphere && kind != Kind::half_space; }
@@ -186,8 +190,10 @@ struct Program {
     std::vector<int> cornered;              // all but plain balls
     bool has_surfaces = true;               // solids that stand in no list
     bool has_faces = true;                  // solids of more than one face
-    bool has_dressed = true;                // members whose skins are not clear
-    bool ior_tells_medium = true;           // media of one index are alike
+    std::vector<int> meshes;                // the strongest first
+    bool has_meshes = false;
+    bool has_dressed = true;       // members whose skins are not clear
+    bool ior_tells_medium = true;  // media of one index are alike
 
     bool whitted = true, sampled = false;  // kind of ray tree; neither: every branch
     int most_levels = 5;

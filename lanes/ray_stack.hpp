@@ -42,6 +42,9 @@ struct WaitingRay {
     Places inside{};                    // the list
     std::uint64_t contacts = 0;         // four bits a solid: face + 1, or 0
     std::uint64_t sphere_contacts = 0;  // two ranks + 1 of grouped spheres, 32 bits each
+    /// Two triangles + 1, of the last mesh in contact in the lower 32 bits, of the one before it
+    /// in the upper.
+    std::uint64_t mesh_contacts = 0;
 };
 
 /// Rays that wait, an array a field, so that lanes load and store them side by side.
@@ -67,6 +70,7 @@ public:
         inside,  // and the list's further words
         contacts = inside + list_words,
         sphere_contacts,
+        mesh_contacts,
         words
     };
 
@@ -109,6 +113,7 @@ public:
             word(Field(inside + w))[i] = ray.inside[std::size_t(w)];
         word(contacts)[i] = ray.contacts;
         word(sphere_contacts)[i] = ray.sphere_contacts;
+        word(mesh_contacts)[i] = ray.mesh_contacts;
     }
     /// Makes room for rays on top, whose fields are then set; returns where the first of them is.
     std::size_t grow(std::size_t count) {

@@ -44,6 +44,11 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
     for (int w = 0; w < program_.words; ++w)
         batch.inside.word[w] = words(Stack::Field(Stack::inside + w));
     if (!program_.groups.empty()) batch.sphere_contacts = words(Stack::sphere_contacts);
+    if (program_.has_meshes) {
+        batch.mesh_contacts = words(Stack::mesh_contacts);
+        batch.mesh_doubt = no_lanes();
+        batch.mesh_known = F(infinity);
+    }
     batch.is_mirrored = is_shadow ? no_lanes() : shares(batch.code, U(RayCode::reflected));
 }
 
@@ -82,6 +87,7 @@ inline void Kernel::push(RayStack& stack, const Batch& batch, M which, const Chi
     if (program_.attenuates) numbers(Stack::way, child.way);
     if (has_key(is_shadow)) words(Stack::key, child.key);
     if (!program_.groups.empty()) words(Stack::sphere_contacts, batch.sphere_contacts_after);
+    if (program_.has_meshes) words(Stack::mesh_contacts, batch.mesh_contacts_after);
     stack.resize(at + packing.count());
 }
 
@@ -104,6 +110,7 @@ inline WaitingRay Kernel::waiting(RayStack& stack, std::size_t at, bool is_shado
         ray.inside[std::size_t(w)] = stack.word(Stack::Field(Stack::inside + w))[at];
     ray.contacts = stack.word(Stack::contacts)[at];
     if (!program_.groups.empty()) ray.sphere_contacts = stack.word(Stack::sphere_contacts)[at];
+    if (program_.has_meshes) ray.mesh_contacts = stack.word(Stack::mesh_contacts)[at];
     return ray;
 }
 

@@ -49,6 +49,7 @@ void Kernel::step(RayStack& stack, bool is_shadow) {
         find_stretches(batch, whole);
         find_event(batch, whole);
     }
+    if (program_.has_meshes) doubt_meshes(batch);
     mark_ties(batch);
     if (any(batch.unsure)) hand_over(batch, stack);
     count_event(batch);

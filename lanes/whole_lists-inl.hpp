@@ -35,6 +35,7 @@ void Kernel::make_lists(Batch& batch, U nearest) {
     const F t = batch.t;
     for (int w = 0; w < program_.words; ++w) batch.before.word[w] = batch.after.word[w] = U(0);
     batch.contacts = U(0);
+    U mesh_contacts(0);
     Owner surface;
     batch.false_crossings = F(0.0);
     const F units(program_.tolerance_units * unit_roundoff), least(program_.contact_tolerance);
@@ -74,6 +75,7 @@ void Kernel::make_lists(Batch& batch, U nearest) {
         batch.contacts =
             batch.contacts |
             only(once, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
+        if (solid.way == Way::mesh) touch_mesh(mesh_contacts, once, face, torn);
         if (solid.inverse) {
             is_before = !is_before;
             is_after = !is_after;
@@ -90,6 +92,7 @@ void Kernel::make_lists(Batch& batch, U nearest) {
         before.cover(is_before, solid.rank, face, program_);
         after.cover(is_after, solid.rank, face, program_);
     }
+    if (program_.has_meshes) batch.mesh_contacts_after = mesh_contacts;
     if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
     batch.unsure = batch.unsure | (batch.met & torn);
     name_owner(batch, surface, before, after);

@@ -136,6 +136,7 @@ void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
     stack.fill_words(Stack::contacts, first, start_.contacts);
     if (!program_.groups.empty())
         stack.fill_words(Stack::sphere_contacts, first, start_.sphere_contacts);
+    if (program_.has_meshes) stack.fill_words(Stack::mesh_contacts, first, start_.mesh_contacts);
     const scene::Camera& camera = scene_.source.camera;
     const Sample* const samples = &(*samples_)[next_sample_];
     double* const direction[3] = {stack[Stack::dx] + first, stack[Stack::dy] + first,
@@ -271,33 +272,27 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::Stacks& stacks) {
     return throughput * own;
 }
 
-geom::Interval LaneHost::interval(const lanes::Solid& solid, const geom::Ray& ray, geom::Face pin) {
-    return scene_.parts[std::size_t(solid.part)].shape.interval(ray, pin);
-}
-
-int LaneHost::crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::Met* out) {
-    const geom::PlacedShape& shape = scene_.parts[std::size_t(solid.part)].shape;
-    crossings_.clear();
-    shape.crossings(ray, crossings_);
-    if (crossings_.size() > std::size_t(lanes::most_lathe_crossings)) return -1;
-    int count = 0;
-    for (const geom::Crossing& crossing : crossings_) {
-        // Only about the origin is more than the sign needed.
-        double slope = crossing.entering ? -1.0 : 1.0;
-        if (std::abs(crossing.t) <= 1e-3 * solid.magnitude) {
-            const double cosine =
-                std::abs(glm::dot(ray.direction, shape.normal(crossing.face, ray.at(crossing.t))));
-            slope *= std::max(cosine, 1e-300);
+void LaneHost::add_contacts(const lanes::WaitingRay& ray, TracedRay& traced) const {
+    std::uint64_t triangles = ray.mesh_contacts;  // the last mesh's first
+    for (std::size_t i = program_.solids.size(); i-- > 0;) {
+        const lanes::Solid& solid = program_.solids[i];
+        int face = int(ray.contacts >> (4 * i) & 15u) - 1;
+        if (face < 0) continue;
+        if (solid.kind == lanes::Kind::mesh) {
+            face = int(triangles & 0xffffffffu) - 1;
+            triangles >>= 32;
+        } else if (face > 13) {  // a number that does not fit
+            continue;
         }
-        out[count++] = {crossing.t, crossing.face, slope};
+        traced.contacts.push_back({solid.part, face, is_bit(ray.inside, solid.place)});
     }
-    return count;
-}
-
-Vec3 LaneHost::put_on_face(const lanes::Solid& solid, geom::Face face, Vec3& point) {
-    const geom::PlacedShape& shape = scene_.parts[std::size_t(solid.part)].shape;
-    point = shape.on_face(face, point);
-    return shape.normal(face, point);
+    std::ranges::reverse(traced.contacts);
+    for (const int shift : {0, 32}) {
+        const int rank = int(ray.sphere_contacts >> shift & 0xffffffffu) - 1;
+        if (rank >= 0)
+            traced.contacts.push_back(
+                {program_.members[std::size_t(rank)].part, 0, is_bit(ray.inside, rank)});
+    }
 }
 
 Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
@@ -309,18 +304,7 @@ Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     for (std::size_t rank = 0; rank < program_.members.size(); ++rank) {
         if (is_bit(ray.inside, int(rank))) traced.interior.enter(program_.members[rank].part);
     }
-    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
-        const int face = int(ray.contacts >> (4 * i) & 15u) - 1;
-        if (face < 0 || face > 13) continue;  // of a number that fits
-        traced.contacts.push_back(
-            {program_.solids[i].part, face, is_bit(ray.inside, program_.solids[i].place)});
-    }
-    for (const int shift : {0, 32}) {
-        const int rank = int(ray.sphere_contacts >> shift & 0xffffffffu) - 1;
-        if (rank >= 0)
-            traced.contacts.push_back(
-                {program_.members[std::size_t(rank)].part, 0, is_bit(ray.inside, rank)});
-    }
+    add_contacts(ray, traced);
     if (ray.code & lanes::RayCode::reflected) traced.kind = RayKind::reflection;
     if (ray.code & lanes::RayCode::shadow) {
         traced.kind = RayKind::shadow;

@@ -28,6 +28,8 @@ public:
     geom::Interval interval(const lanes::Solid& solid, const geom::Ray& ray,
                             geom::Face pin) override;
     int crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::Met* out) override;
+    void meet_mesh(const lanes::Solid& solid, std::span<const lanes::MeshRay> rays,
+                   lanes::MeshMet* met) override;
     geom::Vec3 put_on_face(const lanes::Solid& solid, geom::Face face, geom::Vec3& point) override;
     geom::Vec3 follow(const lanes::WaitingRay& ray) override;
 
@@ -36,6 +38,7 @@ private:
     bool is_bit(const lanes::Places& words, int place) const {
         return (words[std::size_t(place / 64)] >> (place % 64) & 1u) != 0;
     }
+    void add_contacts(const lanes::WaitingRay& ray, TracedRay& traced) const;
     void list_start(const TracedRay& start, lanes::WaitingRay& ray) const;
     scene::Rgb pass_shadow(const lanes::Surface& surface, lanes::RayStack& stack);
     void more_like_rays(lanes::RayStack& stack, std::size_t wanted);

@@ -87,7 +87,9 @@ void compare_priorities(const RenderScene& scene, const std::vector<int>& member
 void check_parts(const RenderScene& scene) {
     double smallest = geom::infinity, farthest = geom::max_abs(scene.source.camera.location);
     for (const Part& part : scene.parts) {
-        if (std::holds_alternative<geom::Mesh>(part.shape.shape())) throw CannotHave{"a mesh"};
+        if (const auto* mesh = std::get_if<geom::Mesh>(&part.shape.shape());
+            mesh && mesh->triangles->is_smooth())
+            throw CannotHave{"a mesh with normals of its own"};
         if (!part.shape.is_closed()) throw CannotHave{"an open surface"};
         if (part.is_member && (part.no_image || part.no_reflection))
             throw CannotHave{"a medium that some rays do not see"};
@@ -211,6 +213,7 @@ bool is_grey(const lanes::Program& program, const Options& options) {
 lanes::Way way_of(const lanes::Solid& solid) {
     using lanes::Kind;
     using lanes::Way;
+    if (solid.kind == Kind::mesh) return Way::mesh;
     if (lanes::is_plain_ball(solid)) return Way::ball;
     if (lanes::is_plain_floor(solid)) return Way::floor;
     if (!lanes::is_plain(solid)) return Way::any;
@@ -296,6 +299,13 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         solid.is_large = solid.reach > large_solid * scene.size;
         (solid.way == lanes::Way::ball ? program.balls : program.cornered).push_back(int(i));
     }
+    for (std::size_t i = program.listed_solids; i-- > 0;) {
+        if (program.solids[i].kind == lanes::Kind::mesh) program.meshes.push_back(int(i));
+    }
+    for (std::size_t i = program.listed_solids; i < program.solids.size(); ++i) {
+        if (program.solids[i].kind == lanes::Kind::mesh) program.meshes.push_back(int(i));
+    }
+    program.has_meshes = !program.meshes.empty();
     std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
         const lanes::Kind kind = program.solids[std::size_t(i)].kind;
         return kind == lanes::Kind::lathe ? 2 : lanes::is_costly(kind) ? 1 : 0;

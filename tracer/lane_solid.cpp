@@ -45,9 +45,11 @@ lanes::Solid convert(const geom::Plane& plane) {
     return solid;
 }
 
-lanes::Solid foreign(bool is_convex) {
+lanes::Solid foreign(const geom::Shape& shape, bool is_convex) {
     lanes::Solid solid;
-    solid.kind = is_convex ? lanes::Kind::other_convex : lanes::Kind::other;
+    solid.kind = std::holds_alternative<geom::Mesh>(shape) ? lanes::Kind::mesh
+                 : is_convex                               ? lanes::Kind::other_convex
+                                                           : lanes::Kind::other;
     return solid;
 }
 
@@ -136,7 +138,7 @@ lanes::Solid make_lane_solid(const Part& part, int index) {
     const geom::Shape& shape = part.shape.shape();
     lanes::Solid solid = is_native(shape)
                              ? std::visit([](const auto& s) { return convert(s); }, shape)
-                             : foreign(part.shape.is_convex());
+                             : foreign(shape, part.shape.is_convex());
     solid.part = index;
     solid.inverse = part.inverse;
     solid.to_camera = !part.no_image;

@@ -5,8 +5,7 @@
 
 namespace meniscus::tracer {
 
-/// A part as lanes meet it: by code of their own, or by asking the host. Of meshes they know
-/// nothing.
+/// A part as lanes meet it: by code of their own, or by asking the host.
 lanes::Solid make_lane_solid(const Part& part, int index);
 
 /// The radius of a sphere around a box, with a margin for rounding.

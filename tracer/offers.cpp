@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/ahead.hpp"
+
 namespace meniscus::tracer {
 namespace {
 
@@ -54,15 +56,6 @@ double Offers::magnitude(const TracedRay& ray, const Offer& a, const Offer& b) c
 /// The same where only the rounded origin is seen, as `contains` does.
 double Offers::rounded_magnitude(const TracedRay& ray, const Part& part) const {
     return std::max(ray.birth.magnitude, geom::max_abs(ray.ray.origin)) + part.shape.magnitude();
-}
-
-/// Whether the crossing is within `tolerance` of the origin, along the normal.
-bool Offers::is_at_start(const TracedRay& ray, const Part& part, const geom::Crossing& crossing,
-                         double tolerance) const {
-    const double distance = std::abs(crossing.t);
-    return distance <= tolerance ||
-           (distance <= 1e-3 * start_magnitude(ray, part) &&
-            distance * cosine(ray, part, crossing.face, crossing.t) <= tolerance);
 }
 
 /// What of a part's shape a ray needs: up to `t_max`, and to the reach of the nearest crossing that
@@ -198,37 +191,25 @@ void Offers::collect_convex(const TracedRay& ray, const Part& part, int index,
     }
 }
 
-/// The short way for a mesh: only what lies ahead. Its directions of crossing are exact, so where
-/// the first of them fits the depth that the list states, the whole line would count to that depth
-/// too. Where it does not, or where anything but the triangle that the ray was born on lies at the
-/// origin, it returns false, and the whole line must tell.
+/// By the short way for meshes, if it is sure (`find_ahead`).
 bool Offers::collect_ahead(const TracedRay& ray, const Part& part, int index,
                            const Contact* contact, double t_max, Decisive decisive,
                            std::vector<Offer>& out) {
     const double magnitude = start_magnitude(ray, part);
-    const double zone_width = tolerance(scene_, magnitude);
-    geom::Search search = this->search(ray, part, t_max, decisive);
-    std::optional<int> depth;
-    geom::Crossing own{0.0, geom::no_face, false};
+    KnownStart start{magnitude, tolerance(scene_, magnitude), std::nullopt};
     if (contact) {
-        const bool starts_inside = contact->starts_inside != part.inverse;
-        search.own = contact->face;
-        search.own_entering = starts_inside;
-        search.own_met = &own;
-        depth = starts_inside ? 1 : 0;
+        start.born_on = contact->face;
+        start.starts_inside = contact->starts_inside != part.inverse;
+        start.depth = start.starts_inside ? 1 : 0;
     }
     if (part.is_member) {
         const int listed = ray.interior.depth(index);
-        depth = part.inverse ? 1 - listed : listed;
-        if (*depth < 0) return false;
+        start.depth = part.inverse ? 1 - listed : listed;
+        if (*start.depth < 0) return false;
     }
     crossings_.clear();
-    if (!part.shape.crossings_ahead(ray.ray, search, depth, crossings_)) return false;
-    if (contact && !is_at_start(ray, part, own, zone_width)) return false;
-    for (const geom::Crossing& crossing : crossings_) {
-        if (crossing.t > 1e-3 * magnitude) break;
-        if (is_at_start(ray, part, crossing, zone_width)) return false;
-    }
+    const geom::Search search = this->search(ray, part, t_max, decisive);
+    if (!find_ahead(part.shape, ray.ray, start, search, crossings_)) return false;
     for (const geom::Crossing& crossing : crossings_)
         out.push_back({crossing.t, index, crossing.face, crossing.entering != part.inverse});
     return true;
@@ -258,9 +239,9 @@ void Offers::collect_general(const TracedRay& ray, const Part& part, int index,
     int depth_beyond = 0, depth = 0, tail_depth = 0;
     bool zone_is_empty = true;
     for (const double widening : {1.0, 64.0, 4096.0}) {
-        const double zone_width = widening * tolerance(scene_, magnitude);
+        const KnownStart start{magnitude, widening * tolerance(scene_, magnitude), std::nullopt};
         const auto in_zone = [&](const geom::Crossing& crossing) {
-            return is_at_start(ray, part, crossing, zone_width);
+            return is_at_start(part.shape, ray.ray, start, crossing);
         };
         zone_end = crossings_.size();
         while (zone_end > 0 && crossings_[zone_end - 1].t > 0.0 &&

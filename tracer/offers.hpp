@@ -68,8 +68,6 @@ private:
                       double t_max, Decisive decisive, std::vector<Offer>& out);
     geom::Search search(const TracedRay& ray, const Part& part, double t_max,
                         Decisive decisive) const;
-    bool is_at_start(const TracedRay& ray, const Part& part, const geom::Crossing& crossing,
-                     double tolerance) const;
     double cosine(const TracedRay& ray, const Part& part, geom::Face face, double t) const;
     double start_magnitude(const TracedRay& ray, const Part& part) const;
     double rounded_magnitude(const TracedRay& ray, const Part& part) const;

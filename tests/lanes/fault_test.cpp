@@ -79,6 +79,18 @@ public:
         if (is_due(Fault::flipped_sign)) out[count - 1].slope *= -1.0;
         return count;
     }
+    void meet_mesh(const lanes::Solid& solid, std::span<const lanes::MeshRay> rays,
+                   lanes::MeshMet* met) override {
+        host_.meet_mesh(solid, rays, met);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            lanes::MeshMet& answer = met[i];
+            if (!answer.is_sure || answer.starts_inside || answer.count == 0 ||
+                answer.at[0].t <= 1e-6 || !is_due(Fault::missed_solid))
+                continue;
+            answer.count = 0;
+            answer.known = geom::infinity;
+        }
+    }
     geom::Vec3 put_on_face(const lanes::Solid& solid, geom::Face face, geom::Vec3& point) override {
         return host_.put_on_face(solid, face, point);
     }
@@ -118,6 +130,7 @@ const std::vector<geom::Shape> native_shapes{
     geom::Lathe(geom::Spline::linear, {{0, -0.9}, {0.7, -0.9}, {0.9, 0.9}, {0, 0.9}})};
 const geom::Shape cone = geom::Cone{{0, -1, 0}, 1.2, {0, 1.2, 0}, 0.4};
 const geom::Shape ring = geom::Torus{0.6, 0.55};
+const geom::Shape block = geom::Mesh{};
 
 struct Outcome {
     tracer::Statistics statistics;
@@ -158,7 +171,7 @@ void check_blamed(const Outcome& found) {
 }  // namespace
 
 TEST_CASE("without a fault there is no leak in lanes", "[lanes][fault]") {
-    for (const geom::Shape& shape : {cone, ring})
+    for (const geom::Shape& shape : {cone, ring, block})
         CHECK(outcome(shape, Fault::none).statistics.leaks == 0);
     for (const geom::Shape& shape : native_shapes)
         CHECK(outcome(shape, Fault::none).statistics.leaks == 0);
@@ -180,7 +193,7 @@ TEST_CASE("a solid that some rays do not meet in lanes is counted", "[lanes][fau
 }
 
 TEST_CASE("solids that the kernel's host misses are counted", "[lanes][fault]") {
-    for (const geom::Shape& shape : {cone, ring}) {
+    for (const geom::Shape& shape : {cone, ring, block}) {
         const auto found = outcome(shape, Fault::missed_solid);
         INFO(geom::keyword(shape) << ", " << found.planted << " planted");
         CHECK(found.planted > 20);

@@ -58,3 +58,15 @@ TEST_CASE("lattice scenes with cones, tori and lathes, in lanes", "[lanes][oracl
         2300, 24,
         {.rotated = true, .cones = true, .tori = true, .lathes = true, .complements = true});
 }
+
+TEST_CASE("lattice scenes with meshes, in lanes", "[lanes][oracle]") {
+    check_equal(2400, 24, {.rotated = true, .meshes = true});
+    check_equal(2500, 24,
+                {.rotated = true,
+                 .stretched = true,
+                 .sheared = true,
+                 .meshes = true,
+                 .unions = true,
+                 .textured = true,
+                 .complements = true});
+}
