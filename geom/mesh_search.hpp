@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "geom/bounds.hpp"
 #include "geom/bvh_line.hpp"
 #include "geom/bvh_node.hpp"
@@ -34,5 +36,17 @@ struct MeshView {
 /// only find out which triangles may be hit; TriangleLine decides, so that the crossings do not
 /// depend on the processor by a bit.
 double find_crossings(const MeshView& mesh, const Ray& ray, const Search& search, Crossings& out);
+
+/// One of several rays that are searched for together.
+struct SearchedRay {
+    Ray ray;
+    Search search;
+    Crossings found;  // is added to
+    double end;       // `search.to` as it was drawn in
+};
+
+/// The same for each of the rays. They take turns, a node or a leaf each, so that one need not wait
+/// for what another has asked memory for; the crossings are those that each would find alone.
+void find_crossings(const MeshView& mesh, std::span<SearchedRay> rays);
 
 }  // namespace meniscus::geom

@@ -48,6 +48,16 @@ void sort(Crossings& crossings, std::size_t begin) {
     });
 }
 
+/// What a search has found up to its `end`, sorted.
+void keep_in_order(Crossings& found, std::size_t begin, const Search& search, double end) {
+    if (end < search.to) {
+        const auto last = std::remove_if(found.begin() + begin, found.end(),
+                                         [&](const Crossing& one) { return one.t > end; });
+        found.resize(static_cast<std::size_t>(last - found.begin()));
+    }
+    if (found.size() > begin + 1) sort(found, begin);
+}
+
 }  // namespace
 
 TriangleMesh::TriangleMesh(TriangleSoup soup) {
@@ -98,12 +108,12 @@ std::size_t TriangleMesh::memory_bytes() const {
 void TriangleMesh::crossings(const Ray& ray, const Search& search, Crossings& out) const {
     const std::size_t begin = out.size();
     const double end = find_crossings({nodes_.data(), frame_, blocks_}, ray, search, out);
-    if (end < search.to) {
-        const auto last = std::remove_if(out.begin() + begin, out.end(),
-                                         [&](const Crossing& found) { return found.t > end; });
-        out.resize(static_cast<std::size_t>(last - out.begin()));
-    }
-    if (out.size() > begin + 1) sort(out, begin);
+    keep_in_order(out, begin, search, end);
+}
+
+void TriangleMesh::crossings(std::span<SearchedRay> rays) const {
+    find_crossings({nodes_.data(), frame_, blocks_}, rays);
+    for (SearchedRay& ray : rays) keep_in_order(ray.found, 0, ray.search, ray.end);
 }
 
 /// Two crossings that are nearer than this may be in the wrong order.
@@ -125,6 +135,11 @@ bool TriangleMesh::crossings_ahead(const Ray& ray, Search search, std::optional<
     const std::size_t begin = out.size();
     search.from = 0.0;
     crossings(ray, search, out);
+    return fits(ray, search, depth, begin, out);
+}
+
+bool TriangleMesh::fits(const Ray& ray, const Search& search, std::optional<int> depth,
+                        std::size_t begin, Crossings& out) const {
     if (search.own_met &&
         (search.own_met->face != search.own || search.own_met->entering != search.own_entering))
         return false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geom/bounds.hpp"
@@ -95,6 +96,12 @@ public:
     /// or where rounding may have put them out of turn: then only the whole line tells.
     bool crossings_ahead(const Ray& ray, Search search, std::optional<int> depth,
                          Crossings& out) const;
+    /// The crossings that each search wants, found together.
+    void crossings(std::span<SearchedRay> rays) const;
+    /// What `crossings_ahead` returns of what was found from `begin` on, from t = 0 on; takes out
+    /// the search's `own`.
+    bool fits(const Ray& ray, const Search& search, std::optional<int> depth, std::size_t begin,
+              Crossings& found) const;
     int depth_at(const Vec3& p) const;
     /// One of a face's corners, and its normal.
     struct FacePlane {

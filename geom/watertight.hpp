@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
 #include "geom/ray.hpp"
@@ -63,15 +64,16 @@ private:
 inline TriangleLine::TriangleLine(const Ray& ray) : ray_(ray) {
     const Vec3 size = glm::abs(ray.direction);
     z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    backwards_ = ray.direction[z_] < 0.0;
-    const double dz = ray.direction[z_];
-    shear_ = {ray.direction[x_] / dz, ray.direction[y_] / dz, 1.0 / dz};
+    x_ = z_ == 2 ? 0 : z_ + 1;
+    y_ = z_ == 0 ? 2 : z_ - 1;
+    const double* const d = glm::value_ptr(ray_.direction);
+    backwards_ = d[z_] < 0.0;
+    shear_ = {d[x_] / d[z_], d[y_] / d[z_], 1.0 / d[z_]};
 }
 
 [[gnu::always_inline]] inline Vec3 TriangleLine::sheared(const Vec3& vertex) const {
-    const Vec3 e = -ray_.from(vertex);
+    const Vec3 way = -ray_.from(vertex);
+    const double* const e = glm::value_ptr(way);  // by address: axes are hard to guess
     return {e[x_] - shear_.x * e[z_], e[y_] - shear_.y * e[z_], shear_.z * e[z_]};
 }
 

@@ -57,11 +57,11 @@ struct MeshRay {
 
 /// What it comes to.
 struct MeshMet {
-    bool is_sure;  // false: too close to call
-    bool starts_inside;
-    int count;
+    bool is_sure = false;  // else it is too close to call
+    bool starts_inside = false;
+    int count = 0;
+    double known = 0.0;                                  // so far these are all
     std::array<geom::Crossing, most_mesh_crossings> at;  // in turn leaving and entering
-    double known;                                        // so far these are all
 };
 
 /// Who owns the picture, textures and lights, and the general way of following a ray.

@@ -12,6 +12,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
+/// The rays that do not miss the box around a mesh, which has a margin.
+HWY_INLINE M meet_box(const Solid& solid, const Rays& rays) {
+    Line scratch;
+    const Line& ray = local(solid, rays, scratch);
+    const F origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const F direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    F enter(0.0), leave(infinity);
+    for (int axis = 0; axis < 3; ++axis) {
+        const F inverse = F(1.0) / direction[axis];
+        const F one = (F(solid.low[axis]) - origin[axis]) * inverse;
+        const F other = (F(solid.high[axis]) - origin[axis]) * inverse;
+        // Along a face of the box these may be no numbers: then no bound is drawn in.
+        const M is_sure = (one <= other) | (other < one);
+        enter = select(is_sure, max(enter, min(one, other)), enter);
+        leave = select(is_sure, min(leave, max(one, other)), leave);
+    }
+    return !(leave < enter);
+}
+
 /// The strongest first: it is most likely to end a ray, and what lies behind that is not asked for.
 HWY_INLINE void Kernel::approach_meshes(Batch& batch, Findings& found) {
     for (const int i : program_.meshes) approach_mesh(batch, found, std::size_t(i));
@@ -26,9 +45,9 @@ HWY_INLINE void Kernel::approach_mesh(Batch& batch, Findings& found, std::size_t
     const U bit(1ull << (solid.place % 64));
     M known = shares(rays.contacts, U(15ull << (4 * i)));
     if (solid.rank >= 0) known = known | (solid.inverse ? !shares(word, bit) : shares(word, bit));
-    const M near =
-        rays.active & sees(batch, solid) &
-        (known | meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
+    M near = rays.active & sees(batch, solid) &
+             (known | meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
+    if (any(but_not(near, known))) near = near & (known | meet_box(solid, rays));
     batch.is_near[i] = any(near);
     Stretch &one = batch.stretches[2 * i], &two = batch.stretches[2 * i + 1];
     if (!batch.is_near[i]) {

@@ -86,7 +86,7 @@ struct Solid {
     double radius = 0.0;              // sphere, cylinder
     double inverse_radius = 0.0;      // sphere
     double distance = 0.0;            // half-space
-    geom::Vec3 low{0.0}, high{0.0};   // box
+    geom::Vec3 low{0.0}, high{0.0};   // box; of a mesh the one around it, with a margin
     geom::Vec3 axis{0.0};             // cylinder: unit vector from base to cap
     double length = 0.0;              // cylinder
     std::vector<Piece> pieces;        // lathe, about its y axis

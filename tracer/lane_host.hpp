@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lanes/kernel.hpp"
+#include "tracer/ahead.hpp"
 #include "tracer/ray_tree.hpp"
 #include "tracer/samples.hpp"
 
@@ -60,6 +61,13 @@ private:
     lanes::WaitingRay start_;
     Shading shading_;
     geom::Crossings crossings_;
+    /// Of rays that are asked about together.
+    struct MeshStart {
+        KnownStart known;
+        geom::Crossing own;
+    };
+    std::vector<geom::SearchedRay> searched_;
+    std::vector<MeshStart> starts_;
 };
 
 }  // namespace meniscus::tracer

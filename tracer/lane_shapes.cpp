@@ -10,6 +10,30 @@ namespace meniscus::tracer {
 
 using geom::Vec3;
 
+namespace {
+
+/// What lanes are told of what a search has found.
+lanes::MeshMet told(const lanes::MeshRay& ray, const geom::SearchedRay& searched) {
+    lanes::MeshMet met;
+    met.is_sure = true;
+    met.known = searched.end;
+    met.starts_inside =
+        ray.knows_side ? ray.is_inside : !searched.found.empty() && !searched.found[0].entering;
+    met.count = 0;
+    bool entering = !met.starts_inside;
+    for (const geom::Crossing& crossing : searched.found) {
+        if (met.count == lanes::most_mesh_crossings || crossing.entering != entering) {
+            met.known = std::min(met.known, crossing.t);
+            break;
+        }
+        met.at[std::size_t(met.count++)] = crossing;
+        entering = !entering;
+    }
+    return met;
+}
+
+}  // namespace
+
 geom::Interval LaneHost::interval(const lanes::Solid& solid, const geom::Ray& ray, geom::Face pin) {
     return scene_.parts[std::size_t(solid.part)].shape.interval(ray, pin);
 }
@@ -36,37 +60,37 @@ int LaneHost::crossings(const lanes::Solid& solid, const geom::Ray& ray, lanes::
 void LaneHost::meet_mesh(const lanes::Solid& solid, std::span<const lanes::MeshRay> rays,
                          lanes::MeshMet* met) {
     const geom::PlacedShape& shape = scene_.parts[std::size_t(solid.part)].shape;
-    for (const lanes::MeshRay& ray : rays) {
-        crossings_.clear();
+    const geom::TriangleMesh& mesh = *std::get<geom::Mesh>(shape.shape()).triangles;
+    if (searched_.size() < rays.size()) {
+        searched_.resize(rays.size());
+        starts_.resize(rays.size());
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const lanes::MeshRay& ray = rays[i];
         const double magnitude = ray.birth_magnitude + solid.magnitude;
-        KnownStart start{magnitude, tolerance(scene_, magnitude), std::nullopt, ray.born_on,
-                         ray.is_inside};
-        if (ray.knows_side) start.depth = ray.is_inside ? 1 : 0;
-        const geom::Search search{.from = 0.0,
-                                  .to = ray.farthest,
-                                  .entering_ends = !ray.is_hidden,
-                                  .leaving_ends = !ray.is_hidden,
-                                  .slack = ray.slack,
-                                  .slack_per_t = ray.slack_per_t};
-        lanes::MeshMet& answer = *met++;
-        answer.is_sure = find_ahead(shape, ray.ray, start, search, crossings_);
-        answer.known = ray.farthest;
-        answer.starts_inside =
-            ray.knows_side ? ray.is_inside : !crossings_.empty() && !crossings_[0].entering;
-        answer.count = 0;
-        bool entering = !answer.starts_inside;
-        for (const geom::Crossing& crossing : crossings_) {
-            if (answer.count == lanes::most_mesh_crossings || crossing.entering != entering) {
-                answer.known = std::min(answer.known, crossing.t);
-                break;
-            }
-            if (answer.count == 0 && !ray.is_hidden) {
-                const double end = crossing.t + (ray.slack + ray.slack_per_t * crossing.t);
-                answer.known = std::min(answer.known, end);
-            }
-            answer.at[std::size_t(answer.count++)] = crossing;
-            entering = !entering;
-        }
+        MeshStart& start = starts_[i];
+        start.known = {magnitude, tolerance(scene_, magnitude), std::nullopt, ray.born_on,
+                       ray.is_inside};
+        if (ray.knows_side) start.known.depth = ray.is_inside ? 1 : 0;
+        geom::SearchedRay& searched = searched_[i];
+        searched.ray = shape.transform().to_local(ray.ray);
+        searched.search = {.from = 0.0,
+                           .to = ray.farthest,
+                           .entering_ends = !ray.is_hidden,
+                           .leaving_ends = !ray.is_hidden,
+                           .slack = ray.slack,
+                           .slack_per_t = ray.slack_per_t};
+        begin_ahead(start.known, searched.search, start.own);
+        searched.found.clear();
+    }
+    mesh.crossings({searched_.data(), rays.size()});
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        geom::SearchedRay& searched = searched_[i];
+        const MeshStart& start = starts_[i];
+        const bool is_sure =
+            mesh.fits(searched.ray, searched.search, start.known.depth, 0, searched.found) &&
+            is_clear_ahead(shape, rays[i].ray, start.known, start.own, searched.found);
+        met[i] = is_sure ? told(rays[i], searched) : lanes::MeshMet{};
     }
 }
 

@@ -152,6 +152,13 @@ lanes::Solid make_lane_solid(const Part& part, int index) {
         solid.middle = 0.5 * (bounds.low + bounds.high);
         solid.reach = sphere_around(bounds, solid.middle);
     }
+    if (const auto* mesh = std::get_if<geom::Mesh>(&shape)) {
+        const geom::Bounds box = mesh->bounds();
+        const geom::Bounds wider =
+            box.padded(1e-6 * (mesh->magnitude() + geom::max_abs(box.size())));
+        solid.low = wider.low;
+        solid.high = wider.high;
+    }
     return solid;
 }
 

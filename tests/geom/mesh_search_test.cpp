@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 
 #include "geom/bvh_builder.hpp"
@@ -126,6 +127,50 @@ TEST_CASE("a depth that the crossings contradict is not believed", "[geom]") {
     CHECK_FALSE(mesh.crossings_ahead(away, {}, 1, found));
     // Up to a bound there may be nothing to leave yet.
     CHECK(mesh.crossings_ahead(from_within, {.to = 0.1}, 1, found));
+}
+
+TEST_CASE("searches in turns find what each finds alone, on every kind of processor", "[geom]") {
+    const TriangleMesh meshes[] = {three_shells(),
+                                   TriangleMesh(gridded_box(5, Vec3{-1.0}, Vec3{1.0}))};
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        Dice dice(24);
+        for (int round = 0; round < 400; ++round) {
+            const TriangleMesh& mesh = meshes[round % 2];
+            std::vector<SearchedRay> rays(static_cast<std::size_t>(dice.below(40)));
+            std::vector<Crossing> own_met(rays.size());
+            const std::vector<Ray> awkward = awkward_lines(40, static_cast<unsigned>(round));
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                SearchedRay& one = rays[i];
+                const auto [ray, own] = somewhere(mesh, dice);
+                one.ray = dice.below(2) == 0 ? ray : awkward[i];
+                one.search = {.from = dice.below(2) == 0 ? 0.0 : -infinity,
+                              .to = dice.below(2) == 0 ? infinity : dice.between(0.1, 3.0),
+                              .entering_ends = dice.below(2) == 0,
+                              .leaving_ends = dice.below(2) == 0,
+                              .slack = dice.between(0.0, 0.1),
+                              .own = own,
+                              .own_met = &own_met[i]};
+                own_met[i].face = no_face;
+            }
+            mesh.crossings(rays);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const SearchedRay& one = rays[i];
+                Crossing own{0.0, no_face, false};
+                Search search = one.search;
+                search.own_met = &own;
+                Crossings alone;
+                mesh.crossings(one.ray, search, alone);
+                REQUIRE(equal(one.found, alone));
+                // It is looked for only where it is: at the origin of a ray that was born there.
+                if (own.face == no_face || std::abs(own.t) > 1e-9 || one.search.from < 0.0)
+                    continue;
+                REQUIRE(own_met[i].face == own.face);
+                REQUIRE(own_met[i].t == own.t);
+            }
+        }
+        hwy::SetSupportedTargetsForTest(0);
+    }
 }
 
 TEST_CASE("every kind of processor finds the same crossings, to the bit", "[geom]") {
