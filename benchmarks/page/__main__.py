@@ -10,6 +10,7 @@ import paper_table
 import render
 import ring
 import scaling
+import shells
 import skipping
 from store import ROOT, Store
 
@@ -58,6 +59,7 @@ def main():
     page += error_curves.section(store, pictures, options.quick, meshes)
     page += paper_table.section(store, options.quick)
     page += scaling.section(store, pictures, options.quick, meshes)
+    page += shells.section(store, options.quick, meshes)
     page += skipping.section(store, ROOT)
     page += micro.section(store, ROOT, options.quick)
     (ROOT / "docs/benchmarks.md").write_text(page.rstrip() + "\n")

@@ -18,10 +18,23 @@ def shown(scene, *options):
     return "`" + " ".join(["meniscus", "render", scene, *map(str, options)]) + "`"
 
 
+def run_once(store, i, scene, *options):
+    # A shell between, which forks: Linux counts what a program's caller held before it as the program's own peak. Its name tells runs apart.
+    return json.loads(store.run(["sh", "-c", '"$@"; exit $?', f"run-{i}", *words(scene, *options)]))
+
+
 def run(store, scene, *options, runs=1):
     """The JSON of one render, its times the medians of so many runs."""
-    # A shell between, which forks: Linux counts what a program's caller held before it as the program's own peak. Its name tells runs apart.
-    results = [json.loads(store.run(["sh", "-c", '"$@"; exit $?', f"run-{i}", *words(scene, *options)])) for i in range(runs)]
+    return median([run_once(store, i, scene, *options) for i in range(runs)])
+
+
+def interleaved(store, renders, runs):
+    """The same of several renders, whose runs take turns."""
+    results = [[run_once(store, i, *one) for one in renders] for i in range(runs)]
+    return [median(list(of_one)) for of_one in zip(*results)]
+
+
+def median(results):
     result = results[0]
     for kind in ("seconds", "cpu_seconds"):
         for stage in result[kind]:

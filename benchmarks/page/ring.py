@@ -5,7 +5,8 @@ import math
 import sys
 
 
-def write(path, triangles):
+def write(path, triangles, thickness=1.0):
+    """A thinner ring lies within a thicker one."""
     across = max(3, round(math.sqrt(triangles / 4)))
     around = max(3, round(triangles / 2 / across))
     points = array.array("f")
@@ -15,7 +16,7 @@ def write(path, triangles):
         a = 2 * math.pi * i / around
         cosine, sine, wave = math.cos(a), math.sin(a), 0.03 * math.sin(9 * a)
         for cos_b, sin_b, cos_5b in waves:
-            minor = 0.35 + wave * cos_5b
+            minor = thickness * (0.35 + wave * cos_5b)
             radius = 0.65 + minor * cos_b
             points.extend((radius * cosine, minor * sin_b, radius * sine))
     # A face is the byte 3 and three numbers of four bytes; the bytes are laid by hand, which is fast enough in slices.

@@ -16,6 +16,7 @@ class Series:
     def __init__(self, name, title, x_label):
         self.name, self.title, self.x_label = name, title, x_label
         self.rows, self.seconds, self.nanoseconds, self.build = [], [], [], []
+        self.compared = []  # pairs of x whose ratios are told
 
     def add(self, x, result):
         cpu = result["cpu_seconds"]
@@ -34,7 +35,11 @@ class Series:
         subprocess.run(["build/benchmarks/benchmarks/draw_plot", source, pictures / f"bench_{self.name}.svg"], cwd=ROOT, check=True)
         fits = [f"{what} as the power {growth.exponent(points):.2f}" for what, points in
                 (("render seconds", self.seconds), ("ns a segment", self.nanoseconds)) if growth.exponent(points) is not None]
-        return (f"### {self.title}\n\n![{self.title}](pictures/bench_{self.name}.svg)\n\n{command}. Fitted: {', '.join(fits)}.\n\n"
+        ns, seconds = dict(self.nanoseconds), dict(self.seconds)
+        ratios = [f"{many} {self.x_label} take {markdown.times(ns[many] / ns[few])} the time a segment of {few} and "
+                  f"{markdown.times(seconds[many] / seconds[few])} the time of their picture" for few, many in self.compared]
+        told = "".join(f" {ratio}." for ratio in ratios)
+        return (f"### {self.title}\n\n![{self.title}](pictures/bench_{self.name}.svg)\n\n{command}. Fitted: {', '.join(fits)}.{told}\n\n"
                 + markdown.table([self.x_label, "render seconds", "segments", "ns a segment", "read and build seconds", "peak MB"], self.rows) + "\n")
 
 
@@ -42,6 +47,7 @@ def bubbles(store, pictures, quick):
     counts = [10, 60, 100, 1000, 10_000, 100_000, 1_000_000]
     options = ["-W", "64", "-H", "48", "--spp", "2"] if quick else ["-W", "160", "-H", "120", "--spp", "4"]
     series = Series("bubbles", "Bubbles in a block of water", "bubbles")
+    series.compared = [(60, 100), (1000, 100_000)]
     for count in counts:
         series.add(count, render.run(store, "benchmarks/scenes/bubbles.scene", "--declare", f"Count={count}", *options,
                                      runs=1 if quick else 3))
@@ -82,14 +88,16 @@ def resolutions(store, pictures, quick):
 
 
 def threads(store):
-    scene, options = "tests/povray/bench/tumbler.scene", ["-W", "640", "-H", "480", "--spp", "4"]
+    # Large enough that reading the scene and starting threads do not count.
+    scene, options = "tests/povray/bench/tumbler.scene", ["-W", "1280", "-H", "960", "--spp", "16"]
     rows, first = [], None
-    for count in (1, 2):
-        result = render.run(store, scene, *options, "--threads", count, runs=3)
+    counts = (1, 2)
+    results = render.interleaved(store, [[scene, *options, "--threads", count] for count in counts], 3)
+    for count, result in zip(counts, results):
         wall, cpu = result["seconds"]["render"], result["cpu_seconds"]["render"]
         first = first or wall
         rows.append([count, markdown.number(wall), markdown.number(cpu), markdown.times(first / wall)])
-    return ("### Threads\n\n" + render.shown(scene, *options, "--threads", "N") + ", medians of 3. The picture is the same to the last bit.\n\n"
+    return ("### Threads\n\n" + render.shown(scene, *options, "--threads", "N") + ", medians of 3, in turns. The picture is the same to the last bit.\n\n"
             + markdown.table(["threads", "seconds by the clock", "CPU seconds", "times faster"], rows) + "\n")
 
 

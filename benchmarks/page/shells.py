@@ -1,0 +1,36 @@
+"""Nested meshes: what false crossings cost when one search collects them, and when each is a new ray."""
+
+import markdown
+import render
+import ring
+from store import ROOT
+
+SCENE = "benchmarks/scenes/shells.scene"
+TRIANGLES = 70_000
+
+
+def write_meshes(folder, shells):
+    for i in range(shells):
+        mesh = ROOT / folder / f"ring_{TRIANGLES}_{i}.ply"
+        if not mesh.exists():
+            ring.write(mesh, TRIANGLES, 1.0 - 0.15 * i)
+
+
+def section(store, quick, folder):
+    counts = [1, 2, 3, 5]
+    write_meshes(folder, max(counts))
+    options = ["-W", "160" if quick else "320", "-H", "120" if quick else "240", "--spp", "1"]
+    runs = 3 if quick else 9
+    rows = []
+    for count in counts:
+        common = ["--declare", f"Shells={count}", "--declare", f"Triangles={TRIANGLES}", "-L", folder, *options]
+        recast, sweep = render.interleaved(store, [[SCENE, *common, "--interior", mode, "--kernel", "general"] for mode in ("recast", "sweep")], runs)
+        lanes = render.run(store, SCENE, *common, runs=runs)
+        rows.append([count, sweep["segments"], markdown.number(sweep["crossings"]["false"] / sweep["segments"]), markdown.number(recast["ns"]),
+                     markdown.number(sweep["ns"]), markdown.times(recast["ns"] / sweep["ns"]), f"{markdown.number(lanes['ns'])} ({lanes['kernel']})"])
+    shown = render.shown(SCENE, "--declare", "Shells=N", *options, "--interior", "MODE", "--kernel", "general", "--threads", 1)
+    return ("## Nested meshes\n\n"
+            f"Rings of {TRIANGLES} triangles within each other, the outermost the strongest: nothing else is a true crossing, and of one ring nothing\n"
+            f"is false. {shown}, medians of {runs}, in turns; the last column by the kernel that the scene allows.\n\n"
+            + markdown.table(["shells", "segments", "false crossings a segment", "`recast`, ns a segment", "`sweep`, ns a segment",
+                              "times faster", "`sweep`, automatic"], rows) + "\n")
