@@ -64,6 +64,7 @@ public:
     Counts run();
 
 private:
+    void add_camera_rays();
     void step(RayStack& stack, bool is_shadow);
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
     HWY_INLINE void approach(Batch& batch, Findings& found);
@@ -147,6 +148,7 @@ private:
     std::int64_t* sums_;
     Counts counts_;
     Table table_;
+    FilmPoints points_;                          // of the camera rays that are made
     std::vector<double> magnitudes_;             // of grouped spheres, by rank
     std::uint64_t group_bits_[list_words] = {};  // their places
 };

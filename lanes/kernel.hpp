@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/ray.hpp"
+#include "lanes/camera.hpp"
 #include "lanes/ray_stack.hpp"
 
 namespace meniscus::lanes {
@@ -68,7 +69,13 @@ struct MeshMet {
 class Host {
 public:
     virtual ~Host() = default;
-    /// Pushes up to `wanted` further camera rays, none when all are under way.
+    /// Where all camera rays start, if they do so in one place with one list: then the kernel makes
+    /// them, through points of the film that it asks for.
+    virtual const Camera* camera() const { return nullptr; }
+    /// The next of these points, up to `wanted`; their number, 0 when all are under way.
+    virtual std::size_t more_points(FilmPoints& /*points*/, std::size_t /*wanted*/) { return 0; }
+    /// Pushes up to `wanted` further camera rays, none when all are under way; if there is no such
+    /// camera.
     virtual void more_rays(RayStack& stack, std::size_t wanted) = 0;
     /// The light of the sky in this direction, seen from the medium at `rank`.
     virtual geom::Vec3 sky(const geom::Vec3& direction, int rank) = 0;

@@ -10,6 +10,7 @@
 
 #include "lanes/approach-inl.hpp"
 #include "lanes/arrive-inl.hpp"
+#include "lanes/camera-inl.hpp"
 #include "lanes/dress-inl.hpp"
 #include "lanes/glass-inl.hpp"
 #include "lanes/lists-inl.hpp"
@@ -29,8 +30,7 @@ Counts Kernel::run() {
             continue;
         }
         RayStack& rays = stacks_.rays;
-        // Some more than a step takes: to add them has a cost of its own.
-        if (rays.size() < lanes) host_.more_rays(rays, 4 * lanes);
+        if (rays.size() < lanes) add_camera_rays();
         if (rays.size() > 0) {
             step(rays, false);
         } else if (stacks_.shadows.size() > 0) {

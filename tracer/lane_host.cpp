@@ -23,12 +23,18 @@ LaneHost::LaneHost(const RenderScene& scene, const Options& options, const lanes
       rank_of_part_(scene.parts.size(), lanes::no_rank) {
     for (std::size_t rank = 0; rank < program.members.size(); ++rank)
         rank_of_part_[std::size_t(program.members[rank].part)] = int(rank);
-    same_start_ = is_camera_in_the_open();
-    if (!same_start_) return;
-    const geom::Ray ray = camera_ray(scene.source.camera, 0.5 * options.width, 0.5 * options.height,
+    if (!is_camera_in_the_open()) return;
+    const scene::Camera& camera = scene.source.camera;
+    const geom::Ray ray = camera_ray(camera, 0.5 * options.width, 0.5 * options.height,
                                      options.width, options.height);
-    list_start(tree.events().start(ray, RayKind::image), start_);
-    start_.origin = ray.origin;
+    camera_.emplace(lanes::Camera{.start = {},
+                                  .forward = camera.direction,
+                                  .right = camera.right,
+                                  .up = camera.up,
+                                  .width = double(options.width),
+                                  .height = double(options.height)});
+    list_start(tree.events().start(ray, RayKind::image), camera_->start);
+    camera_->start.origin = ray.origin;
 }
 
 /// Whether all camera rays start in one place that is clear of every surface. Then they share one
@@ -98,7 +104,6 @@ void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
 }
 
 void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
-    if (same_start_) return more_like_rays(stack, wanted);
     for (; wanted > 0 && next_sample_ < samples_->size(); ++next_sample_) {
         const Sample& sample = (*samples_)[next_sample_];
         const geom::Ray camera =
@@ -121,47 +126,19 @@ void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
     }
 }
 
-/// Camera rays that share all but their directions.
-void LaneHost::more_like_rays(lanes::RayStack& stack, std::size_t wanted) {
-    using Stack = lanes::RayStack;
+std::size_t LaneHost::more_points(lanes::FilmPoints& points, std::size_t wanted) {
     const std::size_t count = std::min(wanted, samples_->size() - next_sample_);
-    if (count == 0) return;
-    const std::size_t first = stack.grow(count);
-    for (int axis = 0; axis < 3; ++axis)
-        stack.fill(Stack::Field(Stack::ox + axis), first, start_.origin[axis]);
-    stack.fill(Stack::weight, first, start_.weight);
-    if (program_.attenuates) stack.fill(Stack::way, first, start_.way_before);
-    for (int w = 0; w < program_.words; ++w)
-        stack.fill_words(Stack::Field(Stack::inside + w), first, start_.inside[std::size_t(w)]);
-    stack.fill_words(Stack::contacts, first, start_.contacts);
-    if (!program_.groups.empty())
-        stack.fill_words(Stack::sphere_contacts, first, start_.sphere_contacts);
-    if (program_.has_meshes) stack.fill_words(Stack::mesh_contacts, first, start_.mesh_contacts);
-    const scene::Camera& camera = scene_.source.camera;
-    const Sample* const samples = &(*samples_)[next_sample_];
-    double* const direction[3] = {stack[Stack::dx] + first, stack[Stack::dy] + first,
-                                  stack[Stack::dz] + first};
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 towards =
-            camera_ray(camera, samples[i].x, samples[i].y, options_.width, options_.height)
-                .direction;
-        for (int axis = 0; axis < 3; ++axis) direction[axis][i] = towards[axis];
-    }
-    if (!program_.grey) {
-        for (int axis = 0; axis < 3; ++axis) {
-            double* const light = stack[Stack::Field(Stack::red + axis)] + first;
-            for (std::size_t i = 0; i < count; ++i) light[i] = samples[i].weight;
-        }
-    }
-    std::uint64_t* const code = stack.word(Stack::code) + first;
-    const std::uint64_t birth = lanes::RayCode::of_birth(start_.birth_magnitude);
-    for (std::size_t i = 0; i < count; ++i) code[i] = samples[i].target | birth;
-    if (program_.uses_keys) {
-        std::uint64_t* const key = stack.word(Stack::key) + first;
-        for (std::size_t i = 0; i < count; ++i) key[i] = samples[i].key;
+        const Sample& sample = (*samples_)[next_sample_ + i];
+        points.x[i] = sample.x;
+        points.y[i] = sample.y;
+        points.weight[i] = sample.weight;
+        points.pixel[i] = sample.target;
+        points.key[i] = sample.key;
     }
     next_sample_ += count;
     statistics_.camera_rays += count;
+    return count;
 }
 
 const scene::Interior& LaneHost::medium_at(int rank) const {

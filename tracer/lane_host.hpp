@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lanes/kernel.hpp"
@@ -22,6 +23,8 @@ public:
     void run(const std::vector<Sample>& samples, std::size_t targets);
     const std::vector<std::int64_t>& sums() const { return sums_; }
 
+    const lanes::Camera* camera() const override { return camera_ ? &*camera_ : nullptr; }
+    std::size_t more_points(lanes::FilmPoints& points, std::size_t wanted) override;
     void more_rays(lanes::RayStack& stack, std::size_t wanted) override;
     geom::Vec3 sky(const geom::Vec3& direction, int rank) override;
     geom::Vec3 transmittance(int rank, double way, bool of_shadow) override;
@@ -42,7 +45,6 @@ private:
     void add_contacts(const lanes::WaitingRay& ray, TracedRay& traced) const;
     void list_start(const TracedRay& start, lanes::WaitingRay& ray) const;
     scene::Rgb pass_shadow(const lanes::Surface& surface, lanes::RayStack& stack);
-    void more_like_rays(lanes::RayStack& stack, std::size_t wanted);
     bool is_camera_in_the_open() const;
     bool is_tied(const lanes::Places& inside) const;
     void add_light(const Sample& sample, const scene::Rgb& light);
@@ -57,8 +59,7 @@ private:
     std::vector<int> rank_of_part_;
     const std::vector<Sample>* samples_ = nullptr;
     std::size_t next_sample_ = 0;
-    bool same_start_ = false;  // every camera ray has the list of `start_`
-    lanes::WaitingRay start_;
+    std::optional<lanes::Camera> camera_;  // if every camera ray starts in one place with one list
     Shading shading_;
     geom::Crossings crossings_;
     /// Of rays that are asked about together.
