@@ -69,7 +69,7 @@ HWY_INLINE void Kernel::approach_ball(Batch& batch, Findings& found, std::size_t
     found.doubt = found.doubt | (enters & (chord < rays.thin() + F(solid.thin)));
     const F end = select(enters, t1, F(infinity));
     batch.crossing_end[i] = end;
-    found.ends = min(found.ends, end);
+    found.second = min(found.second, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
     come_to(batch, found, solid, i, t, F(0.0), hidden_from(batch, solid));
 }
@@ -101,7 +101,7 @@ HWY_INLINE void Kernel::come_to_span(Batch& batch, Findings& found, const Solid&
     found.doubt = found.doubt | (enters & (chord < batch.rays.thin() + F(solid.thin)));
     const F end = select(enters, t1, F(infinity));
     batch.crossing_end[i] = end;
-    found.ends = min(found.ends, end);
+    found.second = min(found.second, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
     come_to(batch, found, solid, i, t, face, hidden_from(batch, solid));
 }
@@ -251,7 +251,7 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t 
         found.third = min(found.third, end);
     } else {
         batch.crossing_end[i] = end;
-        found.ends = min(found.ends, end);
+        found.second = min(found.second, end);
     }
     if (!has_faces(solid.kind)) face = F(0.0);
     come_to(batch, found, solid, i, t, face,

@@ -202,19 +202,16 @@ inline constexpr std::uint64_t is_small_sphere = most_solids;
 /// What is known of all crossings so far.
 struct Findings {
     Crossing nearest;
-    F first, second;  // the two nearest of solids' next crossings, true or not
-    F ends;           // the nearest crossing that is not its solid's next
-    F third;          // the same of solids that are not convex
-    F sphere_ends;    // where the small sphere ends that the nearest crossing begins
-    M doubt;          // lanes that need all stretches
+    F first;   // the nearest of solids' next crossings, true or not
+    F second;  // the nearest of all others that are known
+    F third;   // of solids that are not convex, the nearest that is not their next
+    M doubt;   // lanes that need all stretches
 
     HWY_INLINE Findings()
         : nearest{F(infinity), U(0), F(0.0)},
           first(infinity),
           second(infinity),
-          ends(infinity),
           third(infinity),
-          sphere_ends(infinity),
           doubt(no_lanes()) {}
 };
 

@@ -19,7 +19,7 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
     const Rays& rays = batch.rays;
     const F nearest = found.nearest.t;
     const F first = max(found.first, F(0.0));
-    F next = min(min(found.second, found.third), min(found.ends, found.sphere_ends));
+    F next = min(found.second, found.third);
     M met = rays.active & (nearest < F(infinity));
     F t = min(max(nearest, F(0.0)), F(1e300));
     if (batch.is_shadow) {

@@ -61,7 +61,7 @@ HWY_INLINE void Kernel::approach_mesh(Batch& batch, Findings& found, std::size_t
     if (solid.rank < 0) word = but_not(word, bit) | only(solid.inverse ? !leaves : leaves, bit);
     const F end = select(leaves, F(infinity), one.out);
     batch.crossing_end[i] = end;
-    found.ends = min(found.ends, end);
+    found.second = min(found.second, end);
     found.third = min(found.third, two.in);
     come_to(batch, found, solid, i, select(leaves, one.out, one.in),
             select(leaves, one.face_out, one.face_in), hidden);

@@ -187,7 +187,8 @@ struct Program {
     int words = list_words;  // of the list
     std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
     std::vector<int> balls;                 // plain ones
-    std::vector<int> cornered;              // all but plain balls
+    std::vector<int> floors;                // plain ones
+    std::vector<int> cornered;              // all but plain balls and floors
     bool has_surfaces = true;               // solids that stand in no list
     bool has_faces = true;                  // solids of more than one face
     std::vector<int> meshes;                // the strongest first

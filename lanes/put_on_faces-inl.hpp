@@ -21,6 +21,15 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
                   F3(geom::Vec3{0.0, 1.0, 0.0})};
     F owner_magnitude(program_.largest_magnitude);
     if (!program_.one_tolerance) owner_magnitude = look_up(table_.magnitude, index);
+    for (const int i : program_.floors) {
+        const M on = here & (index == U(std::uint64_t(i)));
+        if (!any(on)) continue;
+        const Solid& solid = program_.solids[std::size_t(i)];
+        const F3 n(solid.center);
+        const F depth = F(solid.distance) - dot(all.point, n);
+        all.point = select(on, all.point + depth * n, all.point);
+        all.normal = select(on, n, all.normal);
+    }
     for (const int i : program_.cornered) {
         const M on = here & (index == U(std::uint64_t(i)));
         if (!any(on)) continue;

@@ -201,7 +201,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
     const F nearest_sphere = of_spheres(first);
     found.second = min(min(found.second, of_spheres(second)), max(found.first, nearest_sphere));
     found.first = min(found.first, nearest_sphere);
-    found.sphere_ends = of_spheres(ends);
+    found.second = min(found.second, of_spheres(ends));
     if (all_drawn |= drawn; all_drawn != 0) {
         const M which = mask_of(all_drawn);
         found.nearest.t = nearest;

@@ -297,7 +297,10 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         lanes::Solid& solid = program.solids[i];
         solid.way = way_of(solid);
         solid.is_large = solid.reach > large_solid * scene.size;
-        (solid.way == lanes::Way::ball ? program.balls : program.cornered).push_back(int(i));
+        auto& alike = solid.way == lanes::Way::ball    ? program.balls
+                      : solid.way == lanes::Way::floor ? program.floors
+                                                       : program.cornered;
+        alike.push_back(int(i));
     }
     for (std::size_t i = program.listed_solids; i-- > 0;) {
         if (program.solids[i].kind == lanes::Kind::mesh) program.meshes.push_back(int(i));
