@@ -135,9 +135,12 @@ HWY_INLINE bool take_hits(const TriangleLine& line, const TriangleBlock<Real>& b
 template <int lines, class Real>
 HWY_INLINE void fetch_child(const MeshView& mesh, const TriangleBlock<Real>* blocks,
                             std::uint32_t child) {
-    const char* const begin = child & BvhNode::leaf
-                                  ? reinterpret_cast<const char*>(blocks + (child ^ BvhNode::leaf))
-                                  : reinterpret_cast<const char*>(mesh.nodes + child);
+    // Looked up, since nobody can guess which of the two it is.
+    const char* const begins[] = {reinterpret_cast<const char*>(mesh.nodes),
+                                  reinterpret_cast<const char*>(blocks)};
+    constexpr std::size_t sizes[] = {sizeof(BvhNode), sizeof(TriangleBlock<Real>)};
+    const std::size_t is_leaf = child / BvhNode::leaf;
+    const char* const begin = begins[is_leaf] + sizes[is_leaf] * (child % BvhNode::leaf);
     for (int line = 0; line < lines; ++line) __builtin_prefetch(begin + 64 * line);
 }
 

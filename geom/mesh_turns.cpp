@@ -1,5 +1,6 @@
-// Rays through a mesh that take turns. Hardly a branch here depends on a ray: what the processor
-// does for one it can begin while the others' numbers are still on their way.
+// Rays through a mesh that take turns. Hardly a branch here depends on a ray, for such a one is
+// often guessed wrongly; so what the processor does for one ray it can begin while the others'
+// numbers are still on their way.
 
 #include <array>
 #include <cstddef>
@@ -67,6 +68,20 @@ struct WalkingRay {
     std::array<float, most> near;
 };
 
+/// For each set of children the places of its members, to bring them together.
+struct PackingTable {
+    std::array<std::array<std::uint8_t, 8>, 256> places{};
+    constexpr PackingTable() {
+        for (unsigned set = 0; set < 256; ++set) {
+            std::size_t count = 0;
+            for (unsigned i = 0; i < 8; ++i) {
+                if ((set >> i & 1) != 0) places[set][count++] = static_cast<std::uint8_t>(i);
+            }
+        }
+    }
+};
+inline constexpr PackingTable packing_table;
+
 }  // namespace meniscus::geom
 #endif
 
@@ -122,27 +137,33 @@ HWY_INLINE int nearest_of(unsigned set, const float* HWY_RESTRICT near) {
     }
 }
 
-/// Puts the children of a set on the ray's stack, above what is in use of it, the nearest on top.
+/// Puts the children of a set on the ray's stack, above what is in use of it, in no order: to sort
+/// them would cost more wrong guesses than it saves nodes.
 HWY_INLINE void put_aside(WalkingRay& ray, const BvhNode& node, unsigned set,
                           const float* HWY_RESTRICT near) {
     std::uint32_t* const waiting = ray.waiting.data() + ray.size;
     float* const its_near = ray.near.data() + ray.size;
-    if ((set & (set - 1)) == 0) {  // mostly one or none: then what is written is not in use
-        const int i = std::countr_zero(set | 0x80u);
-        waiting[0] = node.child[static_cast<std::size_t>(i)];
-        its_near[0] = near[i];
-        return;
-    }
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+    __m256i child = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child.data()));
+    __m256 distance = _mm256_load_ps(near);
+#if HWY_TARGET == HWY_AVX3
+    child = _mm256_maskz_compress_epi32(static_cast<__mmask8>(set), child);
+    distance = _mm256_maskz_compress_ps(static_cast<__mmask8>(set), distance);
+#else
+    const __m256i places = _mm256_cvtepu8_epi32(
+        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(packing_table.places[set].data())));
+    child = _mm256_permutevar8x32_epi32(child, places);
+    distance = _mm256_permutevar8x32_ps(distance, places);
+#endif
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(waiting), child);
+    _mm256_storeu_ps(its_near, distance);
+#else
     for (int top = 0; set != 0; set &= set - 1, ++top) {
         const int i = std::countr_zero(set);
-        int place = top;
-        for (; place > 0 && its_near[place - 1] < near[i]; --place) {
-            its_near[place] = its_near[place - 1];
-            waiting[place] = waiting[place - 1];
-        }
-        its_near[place] = near[i];
-        waiting[place] = node.child[static_cast<std::size_t>(i)];
+        waiting[top] = node.child[static_cast<std::size_t>(i)];
+        its_near[top] = near[i];
     }
+#endif
 }
 
 /// Into the nearest child of a node, or on to what waits.
@@ -155,8 +176,10 @@ HWY_INLINE void pass_node(WalkingRay& ray, const BvhNode& node) {
     const std::uint32_t inner = node.child[static_cast<std::size_t>(nearest)];
     const std::uint32_t next = ray.waiting[static_cast<std::size_t>(ray.size)];
     const float its_near = ray.near[static_cast<std::size_t>(ray.size)];
-    ray.child = met != 0 ? inner : next;
-    if (met == 0 && its_near > ray.to) ray.pop();
+    const std::uint32_t goes_in = 0u - static_cast<std::uint32_t>(met != 0);  // all bits or none
+    ray.child = (inner & goes_in) | (next & ~goes_in);
+    const unsigned is_too_far = static_cast<unsigned>(its_near > ray.to) & ~goes_in;
+    if (is_too_far != 0) ray.pop();
 }
 
 template <class Real>
@@ -176,7 +199,7 @@ HWY_INLINE void walk_all(const MeshView& mesh, const TriangleBlock<Real>* blocks
                 const std::size_t is_leaf = child / BvhNode::leaf;
                 at_node[still] = at_leaf[arrived] = ray;
                 still += 1 - is_leaf;
-                arrived += child != WalkingRay::at_end ? is_leaf : 0;
+                arrived += is_leaf & static_cast<std::size_t>(child != WalkingRay::at_end);
                 fetch_child<4>(mesh, blocks, child);
             };
             for (std::size_t i = 0; i < nodes; ++i) {
