@@ -98,6 +98,7 @@ private:
     void find_event(Batch& batch, const Findings& found);
     HWY_INLINE bool list_event(Batch& batch, const Findings& found);
     HWY_INLINE void change_lists(Batch& batch, const Crossing& nearest);
+    HWY_INLINE void change_bits(Batch& batch, const List& bit, const Medium& owner) const;
     template <bool one_word>
     bool count_together(Batch& batch, U nearest);
     HWY_INLINE F bounds_of_event(const Batch& batch, U index, F& pivot) const;

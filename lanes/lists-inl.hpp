@@ -77,8 +77,7 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     batch.face = nearest.face;
     batch.same = no_lanes();
     batch.by_surface = met & is_surface(batch, index);
-    const M by_member = but_not(met, batch.by_surface);
-    Medium owner, rest(program_.outside);
+    Medium owner;
     owner.ior = look_up(table_.ior, index);
     if (!program_.ior_tells_medium) owner.medium = look_up(table_.medium, index);
     if (program_.has_dressed) owner.dressed = F(0.0) < look_up(table_.dressed, index);
@@ -95,7 +94,13 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
         batch.mesh_contacts_after = as_words(nearest.face + F(0x1p52 + 1.0)) & U(0xffffffffu);
     if (batch.near_spheres != 0) own_by_small_spheres(batch, index, owner, bit);
     batch.owner_dressed = owner.dressed;
+    change_bits(batch, bit, owner);
+}
 
+/// One bit of each list, that of the solid `owner` tells of.
+HWY_INLINE void Kernel::change_bits(Batch& batch, const List& bit, const Medium& owner) const {
+    const M met = batch.met, by_member = but_not(met, batch.by_surface);
+    Medium rest(program_.outside);
     List others;
     M leaves = no_lanes();
     for (int w = 0; w < program_.words; ++w) {
