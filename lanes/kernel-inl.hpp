@@ -127,8 +127,8 @@ private:
     HWY_INLINE void split(Batch& batch);
     HWY_INLINE void paint(const Batch& batch);
     HWY_INLINE void dress(const Batch& batch);
-    void push(RayStack& stack, const Batch& batch, M which, const Child& child, const List& list,
-              bool is_shadow);
+    HWY_INLINE void push(RayStack& stack, const Batch& batch, M which, const Child& child,
+                         const List& list, bool is_shadow);
     WaitingRay waiting(RayStack& stack, std::size_t at, bool is_shadow) const;
     HWY_INLINE void add_light(M which, U code, const F3& light);
     void add_light(std::uint64_t code, const geom::Vec3& light) {

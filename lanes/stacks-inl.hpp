@@ -53,8 +53,8 @@ HWY_INLINE void Kernel::take(Batch& batch, RayStack& stack, bool is_shadow) {
 }
 
 /// Rays that go on from the event.
-inline void Kernel::push(RayStack& stack, const Batch& batch, M which, const Child& child,
-                         const List& list, bool is_shadow) {
+HWY_INLINE void Kernel::push(RayStack& stack, const Batch& batch, M which, const Child& child,
+                             const List& list, bool is_shadow) {
     using Stack = RayStack;
     const Packing packing(bits(which));
     if (packing.count() == 0) return;
