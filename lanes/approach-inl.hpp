@@ -19,6 +19,7 @@ namespace meniscus::lanes::HWY_NAMESPACE {
 HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
     batch.unsure = no_lanes();
     batch.near_spheres = 0;
+    if (cares_for_shades(batch)) return approach_shades(batch, found);
     for (const int i : program_.balls) approach_ball(batch, found, std::size_t(i));
     for (const int i : program_.cheap_first) {
         const Solid& solid = program_.solids[std::size_t(i)];
@@ -48,6 +49,23 @@ HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
     for (const int i : program_.foreign) {
         if (program_.solids[std::size_t(i)].way != Way::mesh)
             approach_any(batch, found, std::size_t(i));
+    }
+    if (program_.has_meshes) approach_meshes(batch, found);
+}
+
+/// What alone keeps light away, where all else lets it through as it is. Others' crossings are not
+/// told: where more than one may count, `list_event` leaves that to the whole stretches.
+HWY_INLINE void Kernel::approach_shades(Batch& batch, Findings& found) {
+    for (const int i : program_.shades) {
+        switch (program_.solids[std::size_t(i)].way) {
+            case Way::floor:
+                approach_floor(batch, found, std::size_t(i));
+                break;
+            case Way::mesh:
+                break;
+            default:
+                approach_any(batch, found, std::size_t(i));
+        }
     }
     if (program_.has_meshes) approach_meshes(batch, found);
 }

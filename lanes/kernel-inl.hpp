@@ -68,6 +68,7 @@ private:
     void step(RayStack& stack, bool is_shadow);
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
     HWY_INLINE void approach(Batch& batch, Findings& found);
+    HWY_INLINE void approach_shades(Batch& batch, Findings& found);
     HWY_INLINE void approach_ball(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE void approach_floor(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE void approach_cylinder(Batch& batch, Findings& found, std::size_t i);
@@ -141,6 +142,10 @@ private:
                                            : F3{batch.weight, batch.weight, batch.weight};
     }
     bool has_colour(bool is_shadow) const { return is_shadow || !program_.grey; }
+    /// Whether the rays go to lights and meet nothing but what is opaque.
+    bool cares_for_shades(const Batch& batch) const {
+        return batch.is_shadow && program_.only_opaque_shades;
+    }
     bool has_key(bool is_shadow) const { return program_.uses_keys && !is_shadow; }
 
     const Program& program_;

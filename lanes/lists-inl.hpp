@@ -45,6 +45,7 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
         change_lists(batch, found.nearest);
         return true;
     }
+    if (cares_for_shades(batch)) return false;
     return program_.words == 1 ? count_together<true>(batch, found.nearest.index)
                                : count_together<false>(batch, found.nearest.index);
 }

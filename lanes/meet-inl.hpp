@@ -25,7 +25,7 @@ void Kernel::find_stretches(Batch& batch, Findings& found) {
             meet(batch, found, std::size_t(i));
         }
     }
-    if (!program_.groups.empty()) find_small_spheres(batch, found);
+    if (!program_.groups.empty() && !cares_for_shades(batch)) find_small_spheres(batch, found);
     for (const int i : program_.foreign) meet(batch, found, std::size_t(i));
 }
 
@@ -90,7 +90,7 @@ inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
         stretches[first].face_in = span.face0;
         stretches[first].face_out = span.face1;
     }
-    if (!(solid.to_camera && solid.to_mirrors && solid.to_lights))
+    if (!(solid.to_camera && solid.to_mirrors && solid.to_lights) || cares_for_shades(batch))
         unmet = unmet | !sees(batch, solid);
     if (any(unmet)) {
         unsure = but_not(unsure, unmet);
@@ -108,7 +108,10 @@ inline bool Kernel::ask(Batch& batch, F nearest, std::size_t i) {
 
 /// The rays that the solid is there for.
 HWY_INLINE M Kernel::sees(const Batch& batch, const Solid& solid) const {
-    if (batch.is_shadow) return solid.to_lights ? !no_lanes() : no_lanes();
+    if (batch.is_shadow) {
+        const bool is_seen = solid.to_lights && !(cares_for_shades(batch) && solid.rank >= 0);
+        return is_seen ? !no_lanes() : no_lanes();
+    }
     M result = !no_lanes();
     if (!solid.to_camera) result = result & batch.is_mirrored;
     if (!solid.to_mirrors) result = but_not(result, batch.is_mirrored);

@@ -192,6 +192,8 @@ struct Program {
     bool has_surfaces = true;               // solids that stand in no list
     bool has_faces = true;                  // solids of more than one face
     std::vector<int> meshes;                // the strongest first
+    bool only_opaque_shades = false;        // rays to lights care for `shades` alone, and no list
+    std::vector<int> shades;
     bool has_meshes = false;
     bool has_dressed = true;       // members whose skins are not clear
     bool ior_tells_medium = true;  // media of one index are alike

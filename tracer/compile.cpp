@@ -13,6 +13,19 @@ bool is_medium(const scene::Solid& solid, const scene::Texture& texture) {
            texture.clear || scene::lets_light_through(texture.pigment);
 }
 
+/// Whether rays to lights need not know where they are: what is not opaque takes nothing away, and
+/// no medium hides what is.
+bool shades_by_opaque_alone(const RenderScene& scene) {
+    return scene.has_members && !scene.has_attenuation &&
+           std::ranges::all_of(scene.parts, [&](const Part& part) {
+               if (part.is_opaque) return !part.is_member;
+               const scene::Object& object = scene.source.objects[std::size_t(part.object)];
+               const scene::Solid& solid = scene.source.solids[std::size_t(part.solid)];
+               return part.no_shadow || (scene.source.textures[object.texture].clear &&
+                                         solid.interior.caustics == 0.0);
+           });
+}
+
 /// A hierarchy over so few parts costs more than it saves.
 constexpr std::size_t few_parts = 4;
 /// From so many spheres on they have a table of their own.
@@ -104,9 +117,14 @@ RenderScene compile(scene::Scene source) {
     find_anchors(result);
     if (result.anchors.empty())
         result.skipped.emplace_back("no thin film far from the origin: one contact tolerance");
+    result.only_opaque_shades = shades_by_opaque_alone(result);
     if (!result.has_members) result.skipped.emplace_back("no dielectric: no interior lists");
     if (!result.has_attenuation) result.skipped.emplace_back("no absorption: no exponentials");
-    if (scene.lights.empty()) result.skipped.emplace_back("no light: no shadow rays");
+    if (scene.lights.empty()) {
+        result.skipped.emplace_back("no light: no shadow rays");
+    } else if (result.only_opaque_shades) {
+        result.skipped.emplace_back("no shadow of what is clear: no lists on the way to lights");
+    }
     return result;
 }
 

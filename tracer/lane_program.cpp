@@ -257,6 +257,13 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         if (program.solids[i].kind == lanes::Kind::mesh) program.meshes.push_back(int(i));
     }
     program.has_meshes = !program.meshes.empty();
+    program.only_opaque_shades = scene.only_opaque_shades;
+    for (const auto* list : {&program.cheap_first, &program.foreign}) {
+        for (const int i : *list) {
+            const lanes::Solid& solid = program.solids[std::size_t(i)];
+            if (solid.rank < 0 && solid.to_lights) program.shades.push_back(i);
+        }
+    }
     std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
         const lanes::Kind kind = program.solids[std::size_t(i)].kind;
         return kind == lanes::Kind::lathe ? 2 : lanes::is_costly(kind) ? 1 : 0;

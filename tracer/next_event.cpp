@@ -12,11 +12,15 @@ EventFinder::EventFinder(const RenderScene& scene, const Options& options, Stati
       offers_(scene, statistics),
       visited_(scene.parts.size(), 0),
       has_only_surfaces_(!scene.has_members && options.interior == InteriorMode::sweep &&
-                         !options.check_segments) {}
+                         !options.check_segments),
+      only_opaque_shades_(scene.only_opaque_shades && options.interior == InteriorMode::sweep &&
+                          !options.check_segments) {}
 
 bool EventFinder::next(TracedRay& ray, double t_max, Event& event) {
     ++statistics_.segments;
-    if (has_only_surfaces_ && !record) return next_surface(ray, t_max, event);
+    const bool needs_no_list =
+        has_only_surfaces_ || (only_opaque_shades_ && ray.kind == RayKind::shadow);
+    if (needs_no_list && !record) return next_surface(ray, t_max, event);
     return options_.interior == InteriorMode::sweep ? sweep(ray, t_max, event)
                                                     : recast(ray, t_max, event);
 }

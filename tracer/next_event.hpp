@@ -101,6 +101,7 @@ private:
     double bound_ = 0.0;       // this traversal looks no farther
     double bounding_t_ = 0.0;  // of the crossing that says so
     bool has_only_surfaces_;
+    bool only_opaque_shades_;
 };
 
 }  // namespace meniscus::tracer

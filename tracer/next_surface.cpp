@@ -24,9 +24,9 @@ struct Nearest {
 
 }  // namespace
 
-/// The next event where no solid can hold a ray, so that there are no lists and every crossing is
-/// true: the nearest one. Where another coincides with it or a chord is as thin as rounding, the
-/// way with lists decides.
+/// The next event where no solid can hold a ray, or none that the ray cares for, so that there are
+/// no lists and every crossing is true: the nearest one. Where another coincides with it or a chord
+/// is as thin as rounding, the way with lists decides.
 bool EventFinder::next_surface(TracedRay& ray, double t_max, Event& event) {
     ++statistics_.casts;
     ++stamp_;
@@ -38,6 +38,7 @@ bool EventFinder::next_surface(TracedRay& ray, double t_max, Event& event) {
         visited_[index] = stamp_;
         const Part& part = scene_.parts[index];
         if (!is_visible(part, ray.kind)) return;
+        if (ray.kind == RayKind::shadow && only_opaque_shades_ && !part.is_opaque) return;
         const auto take = [&](double t, geom::Face face, bool entering) {
             if (!(t <= bound_) || t == geom::infinity) return;
             if (nearest.offer(t, index, face, entering))

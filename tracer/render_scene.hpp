@@ -58,6 +58,7 @@ struct RenderScene {
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
     bool has_members = false;        // some solid can hold a ray
     bool has_attenuation = false;
+    bool only_opaque_shades = false;   // all else lets light through as it is
     std::vector<std::string> skipped;  // what this scene does not need
 };
 
