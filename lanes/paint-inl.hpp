@@ -55,6 +55,10 @@ HWY_INLINE void Kernel::paint(const Batch& batch) {
                          batch.level | U(RayCode::shadow);
             const M lit = here & (F(1e-10) <= cosine) &
                           (F(0.0) < thrown_back.x + thrown_back.y + thrown_back.z);
+            if (paint.is_open) {
+                add_light(lit, batch.code, child.light);
+                continue;
+            }
             counts_.shadows += count(lit);
             push(stacks_.shadows, batch, lit, child, batch.before, true);
         }

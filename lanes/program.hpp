@@ -148,6 +148,7 @@ struct Paint {
     geom::Vec3 shift{0.0};
     geom::Vec3 glow{0.0};  // ambient light and emission, as a share of the colour
     double diffuse = 0.0;
+    bool is_open = false;  // nothing comes between its points and a light
 };
 
 /// A point light that fades with nothing.

@@ -26,6 +26,19 @@ bool shades_by_opaque_alone(const RenderScene& scene) {
            });
 }
 
+/// The one part that is opaque, if it is a half-space.
+int lone_floor(const RenderScene& scene) {
+    int lone = outside;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const Part& part = scene.parts[i];
+        if (!part.is_opaque || part.no_shadow) continue;
+        if (lone != outside || !std::holds_alternative<geom::Plane>(part.shape.shape()))
+            return outside;
+        lone = int(i);
+    }
+    return lone;
+}
+
 /// A hierarchy over so few parts costs more than it saves.
 constexpr std::size_t few_parts = 4;
 /// From so many spheres on they have a table of their own.
@@ -118,10 +131,13 @@ RenderScene compile(scene::Scene source) {
     if (result.anchors.empty())
         result.skipped.emplace_back("no thin film far from the origin: one contact tolerance");
     result.only_opaque_shades = shades_by_opaque_alone(result);
+    if (result.only_opaque_shades) result.lone_floor = lone_floor(result);
     if (!result.has_members) result.skipped.emplace_back("no dielectric: no interior lists");
     if (!result.has_attenuation) result.skipped.emplace_back("no absorption: no exponentials");
     if (scene.lights.empty()) {
         result.skipped.emplace_back("no light: no shadow rays");
+    } else if (result.lone_floor != outside) {
+        result.skipped.emplace_back("no shadow but of one half-space: no shadow rays from it");
     } else if (result.only_opaque_shades) {
         result.skipped.emplace_back("no shadow of what is clear: no lists on the way to lights");
     }

@@ -33,6 +33,8 @@ std::optional<lanes::Paint> make_paint(const RenderScene& scene, const Part& par
     paint.shift = -(paint.to_cells * outer.shift() + inner.inverse_linear() * inner.shift());
     paint.glow = finish.ambient * scene.source.settings.ambient_light + finish.emission;
     paint.diffuse = finish.diffuse;
+    paint.is_open =
+        scene.lone_floor != outside && &part == &scene.parts[std::size_t(scene.lone_floor)];
     return paint;
 }
 

@@ -58,7 +58,9 @@ struct RenderScene {
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
     bool has_members = false;        // some solid can hold a ray
     bool has_attenuation = false;
-    bool only_opaque_shades = false;   // all else lets light through as it is
+    bool only_opaque_shades = false;  // all else lets light through as it is
+    int lone_floor = outside;  // the part that alone casts shadows, if it is a half-space, which
+                               // casts none on itself
     std::vector<std::string> skipped;  // what this scene does not need
 };
 

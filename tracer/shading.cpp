@@ -82,7 +82,8 @@ void add_lights(const RenderScene& scene, const Vec3& eye_ray, const Event& even
             terms += highlight * metallic_tint(finish.metallic, angle_share(cosine), color.rgb);
         }
         if (terms == Rgb{0.0}) continue;
-        const bool in_the_open = light.shadowless || !(seen.distance > 0.0);
+        const bool in_the_open = light.shadowless || !(seen.distance > 0.0) ||
+                                 (scene.lone_floor != outside && event.skin == scene.lone_floor);
         shading.lights.push_back(
             {seen.color * terms, seen.direction, in_the_open ? 0.0 : seen.distance, from_behind});
     }
