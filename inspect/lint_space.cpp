@@ -16,11 +16,6 @@ bool contains(const Part& part, const Vec3& p) {
     return part.shape.is_closed() && part.shape.contains(p) != part.inverse;
 }
 
-/// Where the ray through the middle of the picture starts.
-Vec3 eye(const scene::Scene& scene) {
-    return tracer::camera_ray(scene.camera, 0.5, 0.5, 1, 1).origin;
-}
-
 bool has_sky(const scene::Scene& scene) {
     return scene.background.rgb != scene::Rgb{0.0} || !scene.sky_sphere.pigments.empty();
 }
@@ -29,7 +24,7 @@ bool has_sky(const scene::Scene& scene) {
 
 void find_camera_in_media(const RenderScene& scene, const Names& names,
                           std::vector<Finding>& findings) {
-    const Vec3 p = eye(scene.source);
+    const Vec3 p = tracer::camera_origin(scene.source.camera);
     for (const Part& part : scene.parts) {
         if (!part.is_member || part.is_opaque || !contains(part, p)) continue;
         // The complement of a lens's face, as air, is where a camera belongs.
@@ -50,7 +45,7 @@ void find_camera_in_media(const RenderScene& scene, const Names& names,
 
 void find_camera_in_opaque(const RenderScene& scene, const Names& names,
                            std::vector<Finding>& findings) {
-    const Vec3 p = eye(scene.source);
+    const Vec3 p = tracer::camera_origin(scene.source.camera);
     for (const Part& part : scene.parts) {
         if (!part.is_opaque || part.no_image || !contains(part, p)) continue;
         Finding finding;
@@ -98,7 +93,7 @@ void find_buried_lights(const RenderScene& scene, const Names& names,
         for (const Part& part : scene.parts) {
             if (!part.is_opaque || part.no_shadow || !contains(part, light.position)) continue;
             // In a backdrop round everything, the camera is as well.
-            if (contains(part, eye(scene.source))) continue;
+            if (contains(part, tracer::camera_origin(scene.source.camera))) continue;
             Finding finding;
             finding.lint = "buried-light";
             finding.location = light.location;

@@ -9,6 +9,7 @@
 #include "inspect/containment.hpp"
 #include "inspect/lints.hpp"
 #include "tracer/camera_rays.hpp"
+#include "tracer/offers.hpp"
 
 namespace meniscus::inspect {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 using geom::Vec3;
 using tracer::Part;
 using tracer::RenderScene;
-
-Vec3 eye(const RenderScene& scene) {
-    return tracer::camera_ray(scene.source.camera, 0.5, 0.5, 1, 1).origin;
-}
 
 const scene::Location& location(const RenderScene& scene, const Part& part) {
     return scene.source.objects[std::size_t(part.object)].location;
@@ -33,10 +30,12 @@ struct Burial {
 
 std::map<int, Burial> buried_parts(const RenderScene& scene) {
     std::map<int, Burial> buried;
-    const Vec3 from = eye(scene);
+    const Vec3 from = tracer::camera_origin(scene.source.camera);
     for (const Part& outer : scene.parts) {
-        if (!outer.is_opaque || outer.inverse || outer.no_image || !outer.shape.is_closed())
+        // What stands in lists may be hollowed out by stronger solids.
+        if (!outer.is_opaque || outer.is_member || outer.inverse || !outer.shape.is_closed())
             continue;
+        if (outer.no_image || outer.no_reflection) continue;
         const geom::Bounds& bounds = outer.shape.bounds();
         if (!bounds.is_finite() || outer.shape.contains(from)) continue;
         scene.bvh.overlapping(bounds, [&](std::uint32_t primitive) {
@@ -93,7 +92,7 @@ void find_buried_solids(const RenderScene& scene, const Names& names,
 
 void find_thin_solids(const RenderScene& scene, const Names& names,
                       std::vector<Finding>& findings) {
-    const Vec3 from = eye(scene);
+    const Vec3 from = tracer::camera_origin(scene.source.camera);
     for (const Part& part : scene.parts) {
         const geom::Bounds& bounds = part.shape.bounds();
         if (!part.is_member || part.inverse || !bounds.is_finite()) continue;
@@ -103,8 +102,7 @@ void find_thin_solids(const RenderScene& scene, const Names& names,
         // as the camera's rays have it (docs/numerics.md, "Coincident crossings")
         const double magnitude = geom::max_abs(from) + glm::length(bounds.center() - from) +
                                  std::max(geom::max_abs(bounds.low), geom::max_abs(bounds.high));
-        const double tolerance = std::max(scene.tolerance_units * geom::unit_roundoff * magnitude,
-                                          scene.contact_tolerance);
+        const double tolerance = tracer::tolerance(scene, magnitude);
         if (!(thick <= tolerance)) continue;
         Finding finding;
         finding.lint = "thin-solid";

@@ -22,4 +22,9 @@ inline geom::Ray camera_ray(const scene::Camera& camera, double x, double y, int
     return ray;
 }
 
+/// Where the ray through the middle of the picture starts.
+inline geom::Vec3 camera_origin(const scene::Camera& camera) {
+    return camera_ray(camera, 0.5, 0.5, 1, 1).origin;
+}
+
 }  // namespace meniscus::tracer

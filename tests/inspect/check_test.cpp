@@ -294,3 +294,45 @@ TEST_CASE("a light inside an opaque solid is found, but not inside a backdrop", 
     scene.objects[1].no_shadow = true;
     CHECK(lints(check(scene)) == Lints{"camera-inside-opaque"});
 }
+
+TEST_CASE("glass inside of what is opaque is found, but not what stronger solids may lay open",
+          "[inspect]") {
+    auto scene = seen_from_afar();
+    add_opaque(scene, "Rock", geom::Box{geom::Vec3{-2.0}, geom::Vec3{2.0}});
+    add_medium(scene, "Gem", geom::Sphere{geom::Vec3{0.0}, 0.5}, 2.4, 3.0);
+    const auto findings = check(scene);
+    REQUIRE(lints(findings) == Lints{"buried-solid"});
+    CHECK(findings[0].location.line == 2);
+    CHECK(findings[0].related.at(0).location.line == 1);
+
+    SECTION("a rock with a priority, which air of a higher one opens") {
+        scene.solids[0].interior.priority = 1.0;
+        scene.solids[0].interior.states_priority = true;
+        add_medium(scene, "Hole", geom::Box{{-1.0, -1.0, -3.0}, {1.0, 1.0, 0.0}}, 1.0, 2.0);
+        CHECK(lints(check(scene)).empty());
+    }
+    SECTION("a rock that mirrors do not show") {
+        scene.objects[0].no_reflection = true;
+        CHECK(lints(check(scene)).empty());
+    }
+    SECTION("a gem that sticks out") {
+        scene.objects[1].transform = geom::Transform::translation({0.0, 0.0, -1.8});
+        CHECK(lints(check(scene)).empty());
+    }
+    SECTION("the camera is in there") {
+        scene.camera.location = {0.0, 0.0, -1.0};
+        CHECK(lints(check(scene)) == Lints{"camera-inside-opaque"});
+    }
+}
+
+TEST_CASE("a solid thinner than the tolerance is found, in any frame", "[inspect]") {
+    auto scene = seen_from_afar();
+    add_medium(scene, "Sheet", geom::Box{{-1.0, -1.0, 0.0}, {1.0, 1.0, 1e-4}}, 1.5, 1.0);
+    scene.objects[0].transform = geom::Transform::rotation_degrees({30.0, 40.0, 50.0});
+    CHECK(check(scene).empty());
+    scene.settings.contact_tolerance = 1e-3;
+    const auto findings = check(scene);
+    REQUIRE(lints(findings) == Lints{"thin-solid"});
+    REQUIRE(findings[0].depth);
+    CHECK(*findings[0].depth == Approx(1e-4));
+}

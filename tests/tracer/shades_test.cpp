@@ -1,12 +1,11 @@
 // What casts shadows: where only opaque surfaces do, rays to lights look for nothing else.
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "compare/metrics.hpp"
 #include "tests/random/random.hpp"
 #include "tests/tracer/scenes.hpp"
-#include "tracer/render.hpp"
+#include "tests/tracer/shortcut.hpp"
 
 using namespace meniscus;
 using namespace meniscus::test;
@@ -39,15 +38,7 @@ scene::Scene table(std::uint64_t seed, int opaque_balls) {
 }
 
 tracer::Rendered rendered(const tracer::RenderScene& scene, tracer::Kernel kernel) {
-    tracer::Options options;
-    options.width = 60;
-    options.height = 45;
-    options.sampling = tracer::CountSampling{2};
-    options.tree = tracer::Tree::full;
-    options.depth = 12;
-    options.cutoff = 1e-2;
-    options.kernel = kernel;
-    auto result = tracer::render(scene, options);
+    auto result = tracer::render(scene, full_trees(kernel));
     REQUIRE(result.why_general.empty() == (kernel == tracer::Kernel::automatic));
     return result;
 }

@@ -7,10 +7,8 @@
 
 namespace meniscus::test {
 
-/// What a compiled scene knows to be spared work changes no picture and no count: rendered with it,
-/// and once more after `forget(scene)`.
-template <class Forget>
-void check_shortcut(tracer::RenderScene scene, Forget forget) {
+/// A small picture, every branch of its ray trees.
+inline tracer::Options full_trees(tracer::Kernel kernel) {
     tracer::Options options;
     options.width = 40;
     options.height = 30;
@@ -18,7 +16,15 @@ void check_shortcut(tracer::RenderScene scene, Forget forget) {
     options.tree = tracer::Tree::full;
     options.depth = 40;
     options.cutoff = 1e-3;
-    options.kernel = tracer::Kernel::general;
+    options.kernel = kernel;
+    return options;
+}
+
+/// What a compiled scene knows to be spared work changes no picture and no count: rendered with it,
+/// and once more after `forget(scene)`.
+template <class Forget>
+void check_shortcut(tracer::RenderScene scene, Forget forget) {
+    const auto options = full_trees(tracer::Kernel::general);
     const auto with = tracer::render(scene, options);
     forget(scene);
     const auto without = tracer::render(scene, options);
