@@ -18,7 +18,7 @@ std::vector<bool> contrasting_pixels(const Film& film, double threshold) {
     std::vector<bool> marked(std::size_t(film.width()) * std::size_t(film.height()), false);
     for (int y = region.y0; y < region.y1; ++y) {
         for (int x = region.x0; x < region.x1; ++x) {
-            const Pixel& pixel = film.at(x, y);
+            const Pixel pixel = film.at(x, y);
             const bool left = x > region.x0 && contrast(pixel, film.at(x - 1, y)) >= threshold;
             const bool above = y > region.y0 && contrast(pixel, film.at(x, y - 1)) >= threshold;
             if (left || above || threshold <= 0.0) marked[film.index(x, y)] = true;

@@ -7,46 +7,43 @@
 namespace meniscus::tracer {
 namespace {
 
+/// What there is to tell of a pixel.
+struct Gathered {
+    Pixel pixel;
+    int samples;
+    const FirstHit& hit;
+};
+
 /// One plane of an extra image layer.
 struct Channel {
     std::string_view name;  // "N.X": of layer N
-    double (*value)(const Pixel& pixel, const FirstHit& hit);
+    double (*value)(const Gathered& of);
 
     std::string_view layer() const { return name.substr(0, name.find('.')); }
 };
 
 // To add a layer: write its channels here, side by side.
 constexpr auto channels = std::to_array<Channel>({
-    {"N.X", [](const Pixel&, const FirstHit& hit) { return hit.normal.x; }},
-    {"N.Y", [](const Pixel&, const FirstHit& hit) { return hit.normal.y; }},
-    {"N.Z", [](const Pixel&, const FirstHit& hit) { return hit.normal.z; }},
-    {"Variance.Y", [](const Pixel& pixel, const FirstHit&) { return pixel.squared_error(); }},
-    {"depth.Z", [](const Pixel&, const FirstHit& hit) { return hit.distance; }},
-    {"medium.ID", [](const Pixel&, const FirstHit& hit) { return double(hit.medium); }},
-    {"object.ID", [](const Pixel&, const FirstHit& hit) { return double(hit.object); }},
-    {"samples.N", [](const Pixel& pixel, const FirstHit&) { return double(pixel.samples); }},
+    {"N.X", [](const Gathered& of) { return of.hit.normal.x; }},
+    {"N.Y", [](const Gathered& of) { return of.hit.normal.y; }},
+    {"N.Z", [](const Gathered& of) { return of.hit.normal.z; }},
+    {"Variance.Y", [](const Gathered& of) { return of.pixel.squared_error(); }},
+    {"depth.Z", [](const Gathered& of) { return of.hit.distance; }},
+    {"medium.ID", [](const Gathered& of) { return double(of.hit.medium); }},
+    {"object.ID", [](const Gathered& of) { return double(of.hit.object); }},
+    {"samples.N", [](const Gathered& of) { return double(of.samples); }},
 });
 
 }  // namespace
 
-void Pixel::add(const scene::Rgb& light, double weight) {
-    add_half(samples % 2 == 1, weight * light, weight, 1);
-}
-
-void Pixel::add_half(bool to_odd, const scene::Rgb& light, double weight, int count) {
-    (to_odd ? odd : even) += light;
-    (to_odd ? odd_weight : even_weight) += weight;
-    samples += count;
-}
-
 scene::Rgb Pixel::mean() const {
-    const double weight = even_weight + odd_weight;
-    return weight != 0.0 ? (even + odd) / weight : scene::Rgb{0.0};
+    const double weight = even.weight + odd.weight;
+    return weight != 0.0 ? (even.light() + odd.light()) / weight : scene::Rgb{0.0};
 }
 
 double Pixel::squared_error() const {
-    if (even_weight == 0.0 || odd_weight == 0.0) return 0.0;
-    const scene::Rgb half = 0.5 * (even / even_weight - odd / odd_weight);
+    if (even.weight == 0.0 || odd.weight == 0.0) return 0.0;
+    const scene::Rgb half = 0.5 * (even.light() / even.weight - odd.light() / odd.weight);
     return glm::dot(half, half) / 3.0;
 }
 
@@ -54,12 +51,34 @@ Film::Film(const Options& options)
     : full_width_(options.width),
       full_height_(options.height),
       region_(options.region.value_or(Region{0, 0, options.width, options.height})),
-      pixels_(std::size_t(region_.x1 - region_.x0) * std::size_t(region_.y1 - region_.y0)),
-      first_hits_(options.layers ? pixels_.size() : 0) {}
+      memory_(pixel_count() * (2 * sizeof(HalfPixel) + sizeof(Tally))),
+      even_(memory_.array<HalfPixel>(0)),
+      tallies_(memory_.array<Tally>(pixel_count() * sizeof(HalfPixel))),
+      odd_(memory_.array<HalfPixel>(pixel_count() * (sizeof(HalfPixel) + sizeof(Tally)))),
+      first_hits_(options.layers ? pixel_count() : 0) {}
+
+void Film::add(std::size_t pixel, const scene::Rgb& light, double weight) {
+    Tally& tally = tallies_[pixel];
+    HalfPixel& to = half(pixel, tally.samples % 2 == 1);
+    to.add(weight * light);
+    to.weight += weight;
+    ++tally.samples;
+}
+
+void Film::clear(std::size_t pixel) {
+    even_[pixel] = odd_[pixel] = {};
+    tallies_[pixel] = {};
+}
+
+std::uint64_t Film::samples() const {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < pixel_count(); ++i) sum += std::uint64_t(tallies_[i].samples);
+    return sum;
+}
 
 std::vector<double> Film::squared_errors() const {
     std::vector<double> result;
-    result.reserve(pixels_.size());
+    result.reserve(pixel_count());
     for (int y = region_.y0; y < region_.y1; ++y) {
         for (int x = region_.x0; x < region_.x1; ++x) {
             double sum = at(x, y).squared_error(), weight = 1.0;
@@ -90,16 +109,17 @@ image::Image Film::develop(bool layers) const {
     picture.y0 = region_.y0;
     picture.full_width = full_width_;
     picture.full_height = full_height_;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const scene::Rgb mean = pixels_[i].mean();
+    for (std::size_t i = 0; i < pixel_count(); ++i) {
+        const scene::Rgb mean = pixel(i).mean();
         for (int c = 0; c < 3; ++c) picture.rgb[3 * i + c] = float(mean[c]);
     }
     if (!layers) return picture;
     for (const Channel& channel : channels) {
         image::Layer layer{std::string(channel.name), {}};
-        layer.values.reserve(pixels_.size());
-        for (std::size_t i = 0; i < pixels_.size(); ++i)
-            layer.values.push_back(float(channel.value(pixels_[i], first_hits_[i])));
+        layer.values.reserve(pixel_count());
+        for (std::size_t i = 0; i < pixel_count(); ++i)
+            layer.values.push_back(
+                float(channel.value({pixel(i), tallies_[i].samples, first_hits_[i]})));
         picture.layers.push_back(std::move(layer));
     }
     return picture;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "geom/huge_pages.hpp"
+#include "geom/zero_pages.hpp"
 #include "image/image.hpp"
 #include "scene/color.hpp"
 #include "tracer/options.hpp"
@@ -11,16 +12,28 @@
 
 namespace meniscus::tracer {
 
+/// What every other sample of a pixel has gathered.
+struct HalfPixel {
+    double red = 0.0, green = 0.0, blue = 0.0, weight = 0.0;
+
+    scene::Rgb light() const { return {red, green, blue}; }
+    void add(const scene::Rgb& light) {
+        red += light.r;
+        green += light.g;
+        blue += light.b;
+    }
+};
+
+/// How many samples a pixel has and what they cost: segments, or leaves of their ray trees.
+struct Tally {
+    double cost = 0.0;
+    int samples = 0;
+};
+
 /// What a pixel has gathered. Samples go to two halves in turn, whose difference tells the error.
 struct Pixel {
-    scene::Rgb even{0.0}, odd{0.0};
-    double even_weight = 0.0, odd_weight = 0.0;
-    int samples = 0;
-    double cost = 0.0;  // of its samples: segments, or leaves of their ray trees
+    HalfPixel even, odd;
 
-    void add(const scene::Rgb& light, double weight = 1.0);
-    /// The sum of several samples that belong to one half.
-    void add_half(bool to_odd, const scene::Rgb& light, double weight, int count);
     scene::Rgb mean() const;
     /// Squared standard error of the mean, averaged over the channels, as the two halves show it.
     double squared_error() const;
@@ -42,8 +55,14 @@ public:
     std::size_t index(int x, int y) const {
         return std::size_t(y - region_.y0) * std::size_t(width()) + std::size_t(x - region_.x0);
     }
-    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
-    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+    Pixel at(int x, int y) const { return pixel(index(x, y)); }
+    const Tally& tally(int x, int y) const { return tallies_[index(x, y)]; }
+    Tally& tally(std::size_t pixel) { return tallies_[pixel]; }
+    HalfPixel& half(std::size_t pixel, bool is_odd) { return (is_odd ? odd_ : even_)[pixel]; }
+    /// One sample more.
+    void add(std::size_t pixel, const scene::Rgb& light, double weight);
+    void clear(std::size_t pixel);
+    std::uint64_t samples() const;
     /// Of the pixel's first sample, if layers are asked for.
     void keep_first_hit(int x, int y, const FirstHit& hit) {
         if (!first_hits_.empty()) first_hits_[index(x, y)] = hit;
@@ -56,9 +75,18 @@ public:
     image::Image develop(bool layers) const;
 
 private:
+    std::size_t pixel_count() const { return std::size_t(width()) * std::size_t(height()); }
+    Pixel pixel(std::size_t i) const {
+        return tallies_[i].samples > 1 ? Pixel{even_[i], odd_[i]} : Pixel{even_[i], {}};
+    }
+
     int full_width_, full_height_;
     Region region_;
-    geom::HugeVector<Pixel> pixels_;
+    // The odd halves last: a picture without anti-aliasing has none.
+    geom::ZeroPages memory_;
+    HalfPixel* even_;
+    Tally* tallies_;
+    HalfPixel* odd_;
     std::vector<FirstHit> first_hits_;
 };
 

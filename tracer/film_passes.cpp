@@ -16,12 +16,10 @@ constexpr std::size_t samples_at_once = 1 << 16;
 
 }  // namespace
 
-/// One of the two sums of a pixel's samples while they go in lanes.
-struct FilmPasses::Half {
-    Pixel* pixel;
-    bool is_odd;
-    double weight = 0.0;
-    int count = 0;
+/// Where the light of samples goes when they have gone through lanes.
+struct FilmPasses::Target {
+    HalfPixel* half;
+    Tally* tally;
 };
 
 /// What one thread needs to follow rays.
@@ -34,7 +32,7 @@ struct FilmPasses::Worker {
     RayTree tree;
     std::optional<LaneHost> host;  // if rays go in lanes
     std::vector<Sample> samples;
-    std::vector<Half> halves;
+    std::vector<Target> targets;
 };
 
 FilmPasses::FilmPasses(const RenderScene& scene, const Options& options)
@@ -92,15 +90,16 @@ void FilmPasses::follow_singly(Worker& worker, const Region& window, const Plan&
             if (interrupted()) return;
             worker.samples.clear();
             plan(x, y, worker.samples);
-            Pixel& pixel = film_.at(x, y);
+            const std::size_t pixel = film_.index(x, y);
             const std::uint64_t segments_before = worker.statistics.segments;
             for (const Sample& sample : worker.samples) {
                 const geom::Ray ray = camera_ray(scene_.source.camera, sample.x, sample.y,
                                                  options_.width, options_.height);
-                pixel.add(worker.tree.radiance(ray, sample.key), sample.weight);
-                if (pixel.samples == 1) film_.keep_first_hit(x, y, worker.tree.first_hit);
+                film_.add(pixel, worker.tree.radiance(ray, sample.key), sample.weight);
+                if (film_.tally(pixel).samples == 1)
+                    film_.keep_first_hit(x, y, worker.tree.first_hit);
             }
-            pixel.cost += double(worker.statistics.segments - segments_before);
+            film_.tally(pixel).cost += double(worker.statistics.segments - segments_before);
         }
     }
 }
@@ -109,23 +108,11 @@ void FilmPasses::follow_singly(Worker& worker, const Region& window, const Plan&
 /// has a sum of its own.
 void FilmPasses::follow_in_lanes(Worker& worker, const Region& window, const Plan& plan) {
     worker.samples.clear();
-    std::vector<Half>& halves = worker.halves;
     for (int y = window.y0; y < window.y1; ++y) {
         for (int x = window.x0; x < window.x1; ++x) {
             const std::size_t first = worker.samples.size();
             plan(x, y, worker.samples);
-            Pixel& pixel = film_.at(x, y);
-            const std::size_t count = worker.samples.size() - first;
-            const auto begin = std::uint32_t(halves.size());
-            const auto is_odd = std::uint32_t(pixel.samples % 2);  // the first
-            for (std::uint32_t i = 0; i < std::min<std::size_t>(count, 2); ++i)
-                halves.push_back({&pixel, (is_odd ^ i) != 0});
-            for (std::size_t i = 0; i < count; ++i) {
-                Sample& sample = worker.samples[first + i];
-                sample.target = begin + std::uint32_t(i % 2);
-                halves[sample.target].weight += sample.weight;
-                ++halves[sample.target].count;
-            }
+            share_out(worker, std::span(worker.samples).subspan(first), film_.index(x, y));
             if (worker.samples.size() < samples_at_once) continue;
             empty_into_film(worker);
             if (interrupted()) return;
@@ -134,20 +121,34 @@ void FilmPasses::follow_in_lanes(Worker& worker, const Region& window, const Pla
     empty_into_film(worker);
 }
 
+/// Samples of one pixel go to its two halves in turn.
+void FilmPasses::share_out(Worker& worker, std::span<Sample> samples, std::size_t pixel) {
+    Tally& tally = film_.tally(pixel);
+    for (std::size_t i = 0; i < std::min<std::size_t>(samples.size(), 2); ++i) {
+        HalfPixel& half = film_.half(pixel, (std::size_t(tally.samples) + i) % 2 == 1);
+        double weight = 0.0;
+        for (std::size_t k = i; k < samples.size(); k += 2) {
+            samples[k].target = std::uint32_t(worker.targets.size());
+            weight += samples[k].weight;
+        }
+        half.weight += weight;
+        worker.targets.push_back({&half, &tally});
+    }
+    tally.samples += int(samples.size());
+}
+
 /// Follows the samples that were gathered, and adds their light to their pixels.
 void FilmPasses::empty_into_film(Worker& worker) {
-    std::vector<Half>& halves = worker.halves;
-    if (!worker.samples.empty()) worker.host->run(worker.samples, halves.size());
+    if (!worker.samples.empty()) worker.host->run(worker.samples, worker.targets.size());
     const double unit = 1.0 / std::get<lanes::Program>(program_).units;
-    for (std::size_t i = 0; i < halves.size(); ++i) {
-        const Half& half = halves[i];
-        const std::int64_t* sum = &worker.host->sums()[4 * i];
-        const scene::Rgb light{double(sum[0]) * unit, double(sum[1]) * unit, double(sum[2]) * unit};
-        half.pixel->add_half(half.is_odd, light, half.weight, half.count);
-        half.pixel->cost += double(sum[3]);
+    const std::int64_t* sum = worker.host->sums().data();
+    for (const Target& target : worker.targets) {
+        target.half->add({double(sum[0]) * unit, double(sum[1]) * unit, double(sum[2]) * unit});
+        target.tally->cost += double(sum[3]);
+        sum += 4;
     }
     worker.samples.clear();
-    halves.clear();
+    worker.targets.clear();
 }
 
 }  // namespace meniscus::tracer

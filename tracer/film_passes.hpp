@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,10 +38,11 @@ public:
 
 private:
     struct Worker;
-    struct Half;
+    struct Target;
     void report(double share);
     void follow_singly(Worker& worker, const Region& window, const Plan& plan);
     void follow_in_lanes(Worker& worker, const Region& window, const Plan& plan);
+    void share_out(Worker& worker, std::span<Sample> samples, std::size_t pixel);
     void empty_into_film(Worker& worker);
 
     const RenderScene& scene_;

@@ -4,23 +4,30 @@
 
 namespace meniscus::tracer {
 
-Sample PixelSamples::at(int x, int y, double u, double v, std::uint64_t number) const {
-    const std::uint64_t pixel = std::uint64_t(y) * 0x100000000ull + std::uint64_t(x);
-    return {.x = x + u, .y = y + v, .key = mix(mix(mix(seed_) + pixel) + number)};
+PixelSamples::PixelSamples(const Options& options)
+    : seed_(options.seed), mixed_seed_(mix(options.seed)), filter_(options.filter) {}
+
+std::uint64_t PixelSamples::first_key(int x, int y) const {
+    return mix(mixed_seed_ + std::uint64_t(y) * 0x100000000ull + std::uint64_t(x));
 }
 
 void PixelSamples::add_grid(int x, int y, int k, std::vector<Sample>& out) const {
+    std::uint64_t key = first_key(x, y);
     for (int j = 0; j < k; ++j) {
         for (int i = 0; i < k; ++i)
-            out.push_back(at(x, y, (i + 0.5) / k, (j + 0.5) / k, std::uint64_t(j) * k + i));
+            out.push_back({.x = x + (i + 0.5) / k, .y = y + (j + 0.5) / k, .key = mix(key++)});
     }
 }
 
 void PixelSamples::add_trapezoid(int x, int y, int n, std::vector<Sample>& out) const {
+    std::uint64_t key = first_key(x, y);
     for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
-            out.push_back(at(x, y, double(i) / n, double(j) / n, std::uint64_t(j) * (n + 1) + i));
-            out.back().weight = (i % n == 0 ? 0.5 : 1.0) * (j % n == 0 ? 0.5 : 1.0);
+            const double weight = (i % n == 0 ? 0.5 : 1.0) * (j % n == 0 ? 0.5 : 1.0);
+            out.push_back({.x = x + double(i) / n,
+                           .y = y + double(j) / n,
+                           .weight = weight,
+                           .key = mix(key++)});
         }
     }
 }
@@ -29,12 +36,15 @@ void PixelSamples::add_points(int x, int y, int from, int to, std::vector<Sample
                               int sets) const {
     const std::uint64_t seed =
         mix(mix(seed_ ^ 0x5eed) + (std::uint64_t(y) << 32) + std::uint64_t(x));
+    const std::uint64_t key = first_key(x, y);
     for (int index = from; index < to; ++index) {
         const int set = index % sets;
         const FilterSampler::Point point = filter_.point(sobol_point(
             std::uint32_t(index / sets), set == 0 ? seed : mix(seed + std::uint64_t(set))));
-        out.push_back(at(x, y, point.at.x, point.at.y, std::uint64_t(index)));
-        out.back().weight = point.weight;
+        out.push_back({.x = x + point.at.x,
+                       .y = y + point.at.y,
+                       .weight = point.weight,
+                       .key = mix(key + std::uint64_t(index))});
     }
 }
 

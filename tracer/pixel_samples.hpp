@@ -13,10 +13,8 @@ namespace meniscus::tracer {
 /// only.
 class PixelSamples {
 public:
-    explicit PixelSamples(const Options& options) : seed_(options.seed), filter_(options.filter) {}
+    explicit PixelSamples(const Options& options);
 
-    /// Sample `number` of pixel (x, y), at (u, v) from its corner.
-    Sample at(int x, int y, double u, double v, std::uint64_t number) const;
     /// k x k midpoints.
     void add_grid(int x, int y, int k, std::vector<Sample>& out) const;
     /// (n + 1) x (n + 1) points from corner to corner, those of the edges and corners with a half
@@ -27,7 +25,10 @@ public:
     void add_points(int x, int y, int from, int to, std::vector<Sample>& out, int sets = 1) const;
 
 private:
-    std::uint64_t seed_;
+    /// Of sample 0 of a pixel, before it is mixed.
+    std::uint64_t first_key(int x, int y) const;
+
+    std::uint64_t seed_, mixed_seed_;
     FilterSampler filter_;
 };
 

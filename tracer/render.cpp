@@ -78,7 +78,7 @@ public:
             passes_.run(share, next_share, [&](int x, int y, std::vector<Sample>& out) {
                 const Region region = film().region();
                 const auto i = std::size_t(y - region.y0) * film().width() + (x - region.x0);
-                if (chosen[i]) add_points(x, y, 2 * film().at(x, y).samples, out, sets);
+                if (chosen[i]) add_points(x, y, 2 * film().tally(x, y).samples, out, sets);
             });
             share = next_share;
         }
@@ -91,9 +91,10 @@ public:
         const Region region = film().region();
         for (int y = region.y0; y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x)
-                needs.push_back({errors[needs.size()],
-                                 std::max(film().at(x, y).cost, double(film().at(x, y).samples)),
-                                 film().at(x, y).samples < most_samples});
+                needs.push_back(
+                    {errors[needs.size()],
+                     std::max(film().tally(x, y).cost, double(film().tally(x, y).samples)),
+                     film().tally(x, y).samples < most_samples});
         return needs;
     }
 
@@ -133,7 +134,7 @@ public:
             if (!marked[film().index(x, y)]) return;
             if (sampling.method == 1) return points_.add_grid(x, y, sampling.depth, out);
             // Method 2 begins anew, at its full depth.
-            passes_.film().at(x, y) = {};
+            passes_.film().clear(film().index(x, y));
             points_.add_trapezoid(x, y, 1 << (sampling.depth - 1), out);
         });
     }
@@ -142,7 +143,7 @@ private:
     const Film& film() const { return passes_.film(); }
     /// Goes on until the pixel has `count` samples.
     void add_points(int x, int y, int count, std::vector<Sample>& out, int sets = 1) const {
-        points_.add_points(x, y, film().at(x, y).samples, count, out, sets);
+        points_.add_points(x, y, film().tally(x, y).samples, count, out, sets);
     }
 
     FilmPasses& passes_;
@@ -167,11 +168,7 @@ Rendered render(const RenderScene& scene, const Options& options) {
     result.statistics = passes.statistics();
     result.why_general = passes.why_general();
     const Film& film = passes.film();
-    const Region region = film.region();
-    for (int y = region.y0; y < region.y1; ++y) {
-        for (int x = region.x0; x < region.x1; ++x)
-            result.statistics.samples += std::uint64_t(film.at(x, y).samples);
-    }
+    result.statistics.samples = film.samples();
     result.picture = film.develop(options.layers);
     if (const auto& space = scene.source.settings.working_space; !space.is_linear()) {
         for (float& value : result.picture.rgb) value = float(space.to_light(double(value)));
