@@ -65,7 +65,7 @@ std::vector<geom::Ray> sample_lines(const Bounds& box, int lines_per_axis) {
     std::vector<geom::Ray> lines;
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < lines_per_axis; ++i) {
-            const geom::Vec2 at = tracer::sobol_point(std::uint32_t(i), std::uint64_t(axis));
+            const geom::Vec2 at = tracer::SobolSet(std::uint64_t(axis)).point(std::uint32_t(i));
             Vec3 share{0.4142135623730951};
             share[(axis + 1) % 3] = at.x;
             share[(axis + 2) % 3] = at.y;

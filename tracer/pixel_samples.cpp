@@ -33,19 +33,25 @@ void PixelSamples::add_trapezoid(int x, int y, int n, std::vector<Sample>& out) 
 }
 
 void PixelSamples::add_points(int x, int y, int from, int to, std::vector<Sample>& out,
-                              int sets) const {
+                              bool in_two_sets) const {
     const std::uint64_t seed =
         mix(mix(seed_ ^ 0x5eed) + (std::uint64_t(y) << 32) + std::uint64_t(x));
     const std::uint64_t key = first_key(x, y);
-    for (int index = from; index < to; ++index) {
-        const int set = index % sets;
-        const FilterSampler::Point point = filter_.point(sobol_point(
-            std::uint32_t(index / sets), set == 0 ? seed : mix(seed + std::uint64_t(set))));
+    const auto add = [&](const SobolSet& set, int number, int index) {
+        const FilterSampler::Point point = filter_.point(set.point(std::uint32_t(number)));
         out.push_back({.x = x + point.at.x,
                        .y = y + point.at.y,
                        .weight = point.weight,
                        .key = mix(key + std::uint64_t(index))});
+    };
+    const SobolSet first(seed);
+    if (!in_two_sets) {
+        for (int index = from; index < to; ++index) add(first, index, index);
+        return;
     }
+    const SobolSet second(mix(seed + 1));
+    for (int index = from; index < to; ++index)
+        add(index % 2 == 0 ? first : second, index / 2, index);
 }
 
 }  // namespace meniscus::tracer

@@ -20,9 +20,10 @@ public:
     /// (n + 1) x (n + 1) points from corner to corner, those of the edges and corners with a half
     /// and a quarter of the weight.
     void add_trapezoid(int x, int y, int n, std::vector<Sample>& out) const;
-    /// Those from number `from` to `to` of the pixel's own low-discrepancy sets, which take turns
-    /// among `sets` of them.
-    void add_points(int x, int y, int from, int to, std::vector<Sample>& out, int sets = 1) const;
+    /// Those from number `from` to `to` of the pixel's own low-discrepancy set, or of two that know
+    /// nothing of each other and take turns.
+    void add_points(int x, int y, int from, int to, std::vector<Sample>& out,
+                    bool in_two_sets = false) const;
 
 private:
     /// Of sample 0 of a pixel, before it is mixed.

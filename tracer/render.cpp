@@ -57,13 +57,12 @@ public:
     /// then the difference of their means tells the error of the mean of both, neither more nor
     /// less. (Halves of one set keep out of each other's way, and differ far more.)
     void render(const ErrorSampling& sampling, Rendered& result) {
-        constexpr int sets = 2;
         // Of each set. A first look by few may miss what is rare: coarse pictures only.
         const int first_samples = sampling.error < 0.02 ? 8 : 4;
         const auto pixel_count = double(film().width()) * film().height();
         const double allowed = sampling.error * sampling.error * pixel_count;
         passes_.run(0.0, 0.3, [&](int x, int y, std::vector<Sample>& out) {
-            add_points(x, y, first_samples, out, sets);
+            add_points(x, y, first_samples, out, true);
         });
         double share = 0.3;
         while (!passes_.interrupted()) {
@@ -78,7 +77,7 @@ public:
             passes_.run(share, next_share, [&](int x, int y, std::vector<Sample>& out) {
                 const Region region = film().region();
                 const auto i = std::size_t(y - region.y0) * film().width() + (x - region.x0);
-                if (chosen[i]) add_points(x, y, 2 * film().tally(x, y).samples, out, sets);
+                if (chosen[i]) add_points(x, y, 2 * film().tally(x, y).samples, out, true);
             });
             share = next_share;
         }
@@ -142,8 +141,9 @@ public:
 private:
     const Film& film() const { return passes_.film(); }
     /// Goes on until the pixel has `count` samples.
-    void add_points(int x, int y, int count, std::vector<Sample>& out, int sets = 1) const {
-        points_.add_points(x, y, film().tally(x, y).samples, count, out, sets);
+    void add_points(int x, int y, int count, std::vector<Sample>& out,
+                    bool in_two_sets = false) const {
+        points_.add_points(x, y, film().tally(x, y).samples, count, out, in_two_sets);
     }
 
     FilmPasses& passes_;

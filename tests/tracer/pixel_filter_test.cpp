@@ -23,7 +23,7 @@ Moments moments(PixelFilter filter) {
     Moments sum;
     const int n = 1 << 16;
     for (int i = 0; i < n; ++i) {
-        const auto point = sampler.point(tracer::sobol_point(std::uint32_t(i), 3));
+        const auto point = sampler.point(tracer::SobolSet(3).point(std::uint32_t(i)));
         const geom::Vec2 p = point.at - 0.5;
         sum.one += point.weight / n;
         sum.x += point.weight * p.x / n;

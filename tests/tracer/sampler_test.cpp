@@ -12,7 +12,7 @@ TEST_CASE("the first 2^m points put one into every elementary interval", "[trace
             for (int a = 0; a <= m; ++a) {
                 std::set<int> cells;
                 for (int i = 0; i < count; ++i) {
-                    const geom::Vec2 p = tracer::sobol_point(std::uint32_t(i), seed);
+                    const geom::Vec2 p = tracer::SobolSet(seed).point(std::uint32_t(i));
                     cells.insert((int(p.x * (1 << a)) << 8) + int(p.y * (1 << (m - a))));
                 }
                 CHECK(cells.size() == std::size_t(count));
@@ -22,9 +22,9 @@ TEST_CASE("the first 2^m points put one into every elementary interval", "[trace
 }
 
 TEST_CASE("points depend on the seed and lie in the unit square", "[tracer]") {
-    CHECK(tracer::sobol_point(0, 1) != tracer::sobol_point(0, 2));
+    CHECK(tracer::SobolSet(1).point(0) != tracer::SobolSet(2).point(0));
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        const geom::Vec2 p = tracer::sobol_point(i, 5);
+        const geom::Vec2 p = tracer::SobolSet(5).point(i);
         CHECK((p.x >= 0.0 && p.x < 1.0 && p.y >= 0.0 && p.y < 1.0));
     }
 }
