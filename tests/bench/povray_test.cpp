@@ -54,6 +54,7 @@ sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 1 fre
         "--declare Side=3 --povray contact=ball.pov --json -");
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
-    for (const auto& row : Json::parse(result.out).at("benchmarks").at(0).at("rows"))
+    const Json printed = Json::parse(result.out);
+    for (const auto& row : printed.at("benchmarks").at(0).at("rows"))
         CHECK(!row.contains("failure"));
 }
