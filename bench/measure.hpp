@@ -26,7 +26,7 @@ struct Setup {
     std::string name;  // of the scene
     scene::Scene scene;
     int width = 320, height = 240, threads = 1;
-    int runs = 3;       // each time is the median of so many, one of each contender in turn
+    int runs = 3;       // rounds; each time is their median. Short ones are repeated in a round
     double gap = 1e-4;  // of the gap model, scene units
     std::optional<double> scale;  // of what is exported to POV-Ray; default: by the scene's size
     int reference_samples = 256;  // of each half

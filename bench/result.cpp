@@ -4,13 +4,14 @@
 
 namespace meniscus::bench {
 
-double Row::median_seconds() const {
-    if (seconds.empty()) return 0.0;
-    auto sorted = seconds;
-    std::ranges::sort(sorted);
-    const auto middle = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    std::ranges::sort(values);
+    const auto middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
+
+double Row::median_seconds() const { return median(seconds); }
 
 double Row::nanoseconds_a_segment() const {
     return counts.segments == 0 ? 0.0 : 1e9 * median_seconds() / double(counts.segments);

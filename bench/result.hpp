@@ -13,11 +13,14 @@
 
 namespace meniscus::bench {
 
+/// 0 of none.
+double median(std::vector<double> values);
+
 /// What one contender did.
 struct Row {
     Contender contender;
     compare::Metrics error;                 // against the reference of its model
-    std::vector<double> seconds;            // CPU, of the render stage, run by run
+    std::vector<double> seconds;            // CPU, of the render stage, round by round
     tracer::Statistics counts;              // of Meniscus alone
     std::string kernel;                     // "lanes", or "general: " and why
     std::optional<double> estimated_error;  // --aa: what the renderer itself says
