@@ -13,10 +13,7 @@ namespace {
 /// A scene as one model has it, and what was last made of it.
 class Subject {
 public:
-    Subject(const Setup& setup, Model model)
-        : model_(model),
-          scene_(model == Model::gap ? povray::with_films(setup.scene, setup.gap).scene
-                                     : setup.scene) {}
+    Subject(const Setup& setup, Model model) : model_(model), scene_(scene_of(setup, model)) {}
 
     const tracer::RenderScene& compiled(const std::optional<Limits>& limits) {
         if (!compiled_ || compiled_limits_ != limits) {
@@ -42,6 +39,11 @@ public:
     }
 
 private:
+    static scene::Scene scene_of(const Setup& setup, Model model) {
+        if (model == Model::contact) return setup.scene;
+        return setup.gap_scene ? *setup.gap_scene
+                               : povray::with_films(setup.scene, setup.gap).scene;
+    }
     static scene::Scene with(scene::Scene scene, const std::optional<Limits>& limits) {
         if (limits) {
             scene.settings.max_trace_level = limits->max_trace_level;

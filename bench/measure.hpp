@@ -25,6 +25,7 @@ struct PovRaySource {
 struct Setup {
     std::string name;  // of the scene
     scene::Scene scene;
+    std::optional<scene::Scene> gap_scene;  // of the gap model; else the scene with films
     int width = 320, height = 240, threads = 1;
     int runs = 3;       // rounds; each time is their median. Short ones are repeated in a round
     double gap = 1e-4;  // of the gap model, scene units

@@ -106,6 +106,10 @@ bench::Setup make_setup(const BenchOptions& options, const std::string& scene, b
     bench::Setup setup;
     setup.name = scene_options.file_name();
     setup.scene = read_scene(scene_options).scene;
+    if (!options.gap_scene.empty()) {
+        scene_options.scene = options.gap_scene;
+        setup.gap_scene = read_scene(scene_options).scene;
+    }
     setup.width = options.scene.width;
     setup.height = options.scene.height;
     setup.threads = options.threads;
@@ -127,11 +131,15 @@ void check_usage(const BenchOptions& options) {
         throw UsageError("--svg goes with one scene at a time; --report shows them all");
     if (!options.povray_sources.empty() && options.scenes.size() > 1)
         throw UsageError("--povray goes with one scene at a time");
+    if (!options.gap_scene.empty() && options.scenes.size() > 1)
+        throw UsageError("--gap-scene goes with one scene at a time");
     if (options.no_povray && !options.povray_sources.empty())
         throw UsageError("--povray and --no-povray exclude each other");
     if (options.csv == image::standard_stream && options.json == image::standard_stream)
         throw UsageError("--csv and --json cannot both go to standard output");
-    check_outputs(outputs(options), {options.scenes.begin(), options.scenes.end()});
+    std::vector<std::string> inputs = options.scenes;
+    if (!options.gap_scene.empty()) inputs.push_back(options.gap_scene);
+    check_outputs(outputs(options), {inputs.begin(), inputs.end()});
 }
 
 void write(const BenchOptions& options, const std::vector<bench::Report>& reports) {

@@ -64,6 +64,12 @@ void add_bench_options(CLI::App& command, BenchOptions& o) {
         ->check(positive())
         ->type_name("G")
         ->group(sweep);
+    command
+        .add_option("--gap-scene", o.gap_scene,
+                    "The gap model as a scene of its own, in place of SCENE with films around its "
+                    "solids; declare its gap as --declare")
+        ->type_name("FILE.scene")
+        ->group(sweep);
     command.add_flag("--clip", o.clip, "Clip values to [0, 1]; implied by POV-Ray")->group(sweep);
 
     const auto povray = "POV-Ray";
@@ -116,6 +122,7 @@ std::string own_command_line(const BenchOptions& o) {
     if (o.runs) add("--runs", *o.runs);
     if (o.reference_samples) add("--reference-spp", *o.reference_samples);
     if (o.gap) add("--gap", *o.gap);
+    if (!o.gap_scene.empty()) add("--gap-scene", o.gap_scene);
     if (o.scale) add("--scale", *o.scale);
     for (const auto& source : o.povray_sources) add("--povray", source);
     add("--depth", o.depth);

@@ -21,6 +21,7 @@ struct BenchOptions {
     std::vector<double> aa, errors;
     std::optional<int> runs, reference_samples;
     std::optional<double> gap, scale;
+    std::string gap_scene;
     std::vector<std::string> povray_sources;  // MODEL=FILE
     int depth = tracer::Options{}.depth, threads = 1;
     std::string csv, svg, report, json;

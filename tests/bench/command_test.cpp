@@ -57,6 +57,27 @@ sphere { 0, 1 material { ior 1.5 } }
     }));
 }
 
+TEST_CASE("the gap model may be a scene of its own", "[bench]") {
+    const Program program;
+    const auto benchmark_of = [&](const std::string& words) {
+        const auto result = program.run("bench " + words + tiny + " --json -");
+        INFO(result.err);
+        REQUIRE(result.exit_code == 0);
+        return Json::parse(result.out).at("benchmarks").at(0);
+    };
+    program.write("other.scene", R"(#version 3.7;
+background { color rgb <0.2, 0.5, 0.9> }
+#ifdef (Wide) sphere { z * 5, Wide material { ior 1.5 } } #end
+)");
+    const auto gap = benchmark_of(
+        "ball.scene --models gap --gap 0.1 --gap-scene other.scene --declare Wide=0.9");
+    const auto contact = benchmark_of("other.scene --models contact --declare Wide=0.9");
+    CHECK(gap.at("rows").size() == contact.at("rows").size());
+    CHECK(gap.at("rows").at(0).at("segments") == contact.at("rows").at(0).at("segments"));
+    CHECK(gap.at("rows").at(0).at("error") == contact.at("rows").at(0).at("error"));
+    CHECK(gap.at("rows").at(0).at("curve") == "Meniscus, gap");
+}
+
 TEST_CASE("bench takes several scenes and keeps data apart from words", "[bench]") {
     const Program program;
     const auto result = program.run(std::string("bench ball.scene ball.scene") + tiny + " --csv -");
@@ -102,6 +123,9 @@ TEST_CASE("what bench cannot do gets one clear error", "[bench]") {
         {"wrong.scene", 2, "spere"},
         {"ball.scene ball.scene --svg a.svg", 2, "one scene at a time"},
         {"ball.scene --no-povray --povray gap=a.pov", 2, "exclude each other"},
+        {"ball.scene ball.scene --gap-scene ball.scene", 2, "one scene at a time"},
+        {"ball.scene --gap-scene missing.scene", 3, "missing.scene"},
+        {"ball.scene --gap-scene ball.scene --csv ball.scene", 2, "ball.scene"},
         {"ball.scene --povray nonsense=a.pov", 2, "gap=FILE.pov"},
         {"ball.scene --csv - --json -", 2, "standard output"},
         {"ball.scene --csv no/such/folder/a.csv", 3, "no/such/folder"},
