@@ -201,7 +201,8 @@ ProfileArc::Rise ProfileArc::rise_at(double s, double& v) const {
         const double half_change = 3.0 * along[2] * v + along[1];
         speed = (half_change + along[1]) * v + along[0];
         (off < 0.0 ? low : high) = v;
-        const double step = off / speed, next = v - step - step * step * half_change / speed;
+        const double per_speed = 1.0 / speed, step = off * per_speed;
+        const double next = v - step - step * (step * half_change * per_speed);
         const bool is_last = glm::abs(step) <= 1e-6;  // what then is left is its cube
         v = is_last || (next > low && next < high) ? next : 0.5 * (low + high);
         if (is_last) break;
