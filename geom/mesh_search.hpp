@@ -20,7 +20,7 @@ struct Search {
     double ends_from = -infinity;           // but not if it is nearer than this,
     Face own = no_face;                     // nor if it is of the face that the ray was born on:
     bool own_entering = false;              // how that is crossed, if the ray has not turned
-    Crossing* own_met = nullptr;            // where to say how the line does cross it
+    Crossing* own_met = nullptr;            // how it is: said here, not among the crossings
 };
 
 /// The triangles of a mesh under a hierarchy whose leaves are the blocks.

@@ -114,7 +114,10 @@ HWY_INLINE bool take_hits(const TriangleLine& line, const TriangleBlock<Real>& b
         const auto hit = line.hit(corner(0), corner(1), corner(2));
         if (!hit) continue;
         const auto face = static_cast<Face>(number * TriangleBlock<Real>::width + lane);
-        if (face == search.own && search.own_met) *search.own_met = {hit->t, face, hit->entering};
+        if (face == search.own && search.own_met) {
+            *search.own_met = {hit->t, face, hit->entering};
+            continue;
+        }
         if (!(hit->t > search.from) || hit->t > t_max) continue;
         out.push_back({hit->t, face, hit->entering});
         if ((hit->entering ? search.entering_ends : search.leaving_ends) && face != search.own &&

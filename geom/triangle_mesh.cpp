@@ -16,6 +16,9 @@ namespace meniscus::geom {
 
 namespace {
 
+/// Crossings may be in the wrong order that are nearer to each other than so many u M.
+constexpr double turn_units = 4096.0;
+
 /// Along no axis, no diagonal and no edge that anyone would draw.
 const Vec3 odd_direction{0.5377104, 0.7436219, 0.3973607};
 
@@ -119,7 +122,8 @@ void TriangleMesh::crossings(std::span<SearchedRay> rays) const {
 /// Two crossings that are nearer than this may be in the wrong order.
 double TriangleMesh::turn_tolerance(const Ray& ray, double furthest) const {
     const double length = glm::length(ray.direction);
-    return 4096.0 * unit_roundoff * (max_abs(ray.origin) + magnitude_ + furthest * length) / length;
+    return turn_units * unit_roundoff * (max_abs(ray.origin) + magnitude_ + furthest * length) /
+           length;
 }
 
 void TriangleMesh::crossings(const Ray& ray, Crossings& out) const {
@@ -130,10 +134,9 @@ void TriangleMesh::crossings(const Ray& ray, Crossings& out) const {
     take_turns(out, begin, turn_tolerance(ray, furthest));
 }
 
-bool TriangleMesh::crossings_ahead(const Ray& ray, Search search, std::optional<int> depth,
+bool TriangleMesh::crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
                                    Crossings& out) const {
     const std::size_t begin = out.size();
-    search.from = 0.0;
     crossings(ray, search, out);
     return fits(ray, search, depth, begin, out);
 }
@@ -145,7 +148,9 @@ bool TriangleMesh::fits(const Ray& ray, const Search& search, std::optional<int>
         return false;
     // What the ray was born on may come first; behind another crossing it would be no mere
     // rounding.
-    if (search.own != no_face) {
+    if (search.own_met) {
+        if (out.size() > begin && out[begin].t <= search.own_met->t) return false;
+    } else if (search.own != no_face) {
         for (std::size_t i = out.size(); i-- > begin;) {
             if (out[i].face != search.own) continue;
             if (i != begin) return false;
@@ -153,6 +158,7 @@ bool TriangleMesh::fits(const Ray& ray, const Search& search, std::optional<int>
         }
     }
     if (out.size() == begin) return depth.value_or(0) == 0 || search.to < infinity;
+    if (!(out[begin].t > 0.0)) return false;
     const bool starts_inside = !out[begin].entering;
     if (depth && starts_inside != (*depth > 0)) return false;
     return takes_turns(ray, out, begin, depth.value_or(starts_inside), search.to);
@@ -162,16 +168,19 @@ bool TriangleMesh::fits(const Ray& ray, const Search& search, std::optional<int>
 /// search has stopped.
 bool TriangleMesh::takes_turns(const Ray& ray, const Crossings& ahead, std::size_t begin, int depth,
                                double end) const {
+    // Twice `turn_tolerance`, as far as the line meets the mesh at all, before and behind; in
+    // squares, for there is hardly a ray that is not asked.
+    const double reach = max_abs(ray.origin) + magnitude_ + 2.0 * frame_.reach;
+    const double tolerance = 4.0 * turn_units * unit_roundoff * reach;
+    const double shortest = tolerance * tolerance / glm::dot(ray.direction, ray.direction);
     for (std::size_t i = begin; i < ahead.size(); ++i) {
         const bool out_of_turn = ahead[i].entering == (depth > 0);
         depth += ahead[i].entering ? 1 : -1;
-        if (!out_of_turn) continue;
-        if (!ahead[i].entering) return false;
-        // As far as the line meets the mesh at all, before and behind.
-        const double furthest = max_abs(ray.origin) + magnitude_ + 2.0 * max_abs(bounds_.size());
-        const double tolerance = 2.0 * turn_tolerance(ray, furthest / glm::length(ray.direction));
-        const double next = i + 1 < ahead.size() ? ahead[i + 1].t : end;
-        if (next - ahead[i].t <= tolerance) return false;
+        if (out_of_turn && !ahead[i].entering) return false;
+        // A depth that the first does not contradict its neighbour may.
+        if (!out_of_turn && i != begin) continue;
+        const double way = (i + 1 < ahead.size() ? ahead[i + 1].t : end) - ahead[i].t;
+        if (way * way <= shortest) return false;
     }
     return true;
 }

@@ -93,13 +93,14 @@ public:
     /// Of a closed mesh, the crossings with t > 0 that a search wants, but for its `own`, sorted by
     /// t. Returns false where they contradict the depth from which the ray starts (if that is
     /// known), where the line does not cross its `own` as the search says (if it asks for that),
-    /// or where rounding may have put them out of turn: then only the whole line tells.
-    bool crossings_ahead(const Ray& ray, Search search, std::optional<int> depth,
+    /// or where rounding may have put them out of turn, or behind the origin, as far back as the
+    /// search goes: then only the whole line tells.
+    bool crossings_ahead(const Ray& ray, const Search& search, std::optional<int> depth,
                          Crossings& out) const;
     /// The crossings that each search wants, found together.
     void crossings(std::span<SearchedRay> rays) const;
-    /// What `crossings_ahead` returns of what was found from `begin` on, from t = 0 on; takes out
-    /// the search's `own`.
+    /// What `crossings_ahead` returns of what was found from `begin` on; takes out the search's
+    /// `own`.
     bool fits(const Ray& ray, const Search& search, std::optional<int> depth, std::size_t begin,
               Crossings& found) const;
     int depth_at(const Vec3& p) const;

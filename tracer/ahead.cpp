@@ -14,6 +14,8 @@ bool is_at_start(const geom::PlacedShape& shape, const geom::Ray& ray, const Kno
 }
 
 void begin_ahead(const KnownStart& start, geom::Search& search, geom::Crossing& own) {
+    // As near to the origin as crossings may be in the wrong order with it.
+    search.from = -4096.0 * geom::unit_roundoff * start.magnitude;
     own.face = geom::no_face;
     if (start.born_on == geom::no_face) return;
     search.own = start.born_on;

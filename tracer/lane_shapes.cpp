@@ -74,8 +74,7 @@ void LaneHost::meet_mesh(const lanes::Solid& solid, std::span<const lanes::MeshR
         if (ray.knows_side) start.known.depth = ray.is_inside ? 1 : 0;
         geom::SearchedRay& searched = searched_[i];
         searched.ray = shape.transform().to_local(ray.ray);
-        searched.search = {.from = 0.0,
-                           .to = ray.farthest,
+        searched.search = {.to = ray.farthest,
                            .entering_ends = !ray.is_hidden,
                            .leaving_ends = !ray.is_hidden,
                            .slack = ray.slack,

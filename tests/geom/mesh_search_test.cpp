@@ -72,7 +72,7 @@ TEST_CASE("what lies ahead is what the whole line has there", "[geom]") {
             const auto [ray, own] = somewhere(mesh, dice);
             Crossings line, ahead;
             mesh.crossings(ray, line);
-            Search search{.to = dice.between(0.1, 3.0), .own = own};
+            Search search{.from = 0.0, .to = dice.between(0.1, 3.0), .own = own};
             // Where the origin is on a face, rounding alone says on which side of it.
             const double from = own == no_face ? 0.0 : 1e-12;
             const int depth = depth_behind(line, from);
@@ -118,15 +118,15 @@ TEST_CASE("a depth that the crossings contradict is not believed", "[geom]") {
     const TriangleMesh mesh(icosphere(2));
     Crossings found;
     const Ray from_within{{0.1, 0.2, 0.3}, {0.0, 0.0, 1.0}};
-    CHECK(mesh.crossings_ahead(from_within, {}, 1, found));
+    CHECK(mesh.crossings_ahead(from_within, {.from = 0.0}, 1, found));
     CHECK(found.size() == 1);
-    CHECK_FALSE(mesh.crossings_ahead(from_within, {}, 0, found));
+    CHECK_FALSE(mesh.crossings_ahead(from_within, {.from = 0.0}, 0, found));
     const Ray away{{0.1, 0.2, 3.0}, {0.0, 0.0, 1.0}};
     found.clear();
-    CHECK(mesh.crossings_ahead(away, {}, 0, found));
-    CHECK_FALSE(mesh.crossings_ahead(away, {}, 1, found));
+    CHECK(mesh.crossings_ahead(away, {.from = 0.0}, 0, found));
+    CHECK_FALSE(mesh.crossings_ahead(away, {.from = 0.0}, 1, found));
     // Up to a bound there may be nothing to leave yet.
-    CHECK(mesh.crossings_ahead(from_within, {.to = 0.1}, 1, found));
+    CHECK(mesh.crossings_ahead(from_within, {.from = 0.0, .to = 0.1}, 1, found));
 }
 
 TEST_CASE("searches in turns find what each finds alone, on every kind of processor", "[geom]") {
