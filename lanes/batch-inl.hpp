@@ -47,6 +47,15 @@ struct SphereStretches {
     int size;
 };
 
+/// A solid that stands in the list, as far as lists ask: its bit, and what it is made of.
+struct Listed {
+    std::uint64_t bit;
+    std::size_t word;
+    double ior, medium;
+    bool clear, attenuates;
+    bool has_faces;
+};
+
 /// What each ray is in, so far as the program asks.
 struct Medium {
     F ior, medium;
@@ -59,13 +68,13 @@ struct Medium {
           dressed(no_lanes()),
           attenuates(outside.attenuates ? !no_lanes() : no_lanes()) {}
 
-    /// Where `which`, the rays are in the member.
-    HWY_INLINE void become(M which, const Member& member, const Program& program) {
-        ior = select(which, F(member.ior), ior);
-        if (!program.ior_tells_medium) medium = select(which, F(double(member.medium)), medium);
-        if (program.has_dressed) dressed = member.clear ? but_not(dressed, which) : dressed | which;
+    /// Where `which`, the rays are in the solid.
+    HWY_INLINE void become(M which, const Listed& solid, const Program& program) {
+        ior = select(which, F(solid.ior), ior);
+        if (!program.ior_tells_medium) medium = select(which, F(solid.medium), medium);
+        if (program.has_dressed) dressed = solid.clear ? but_not(dressed, which) : dressed | which;
         if (program.attenuates)
-            attenuates = member.attenuates ? attenuates | which : but_not(attenuates, which);
+            attenuates = solid.attenuates ? attenuates | which : but_not(attenuates, which);
     }
     /// Where `which`, they are in those at `ranks`.
     HWY_INLINE void become(std::uint32_t which, const Doubles& ranks, const Program& program) {
@@ -95,29 +104,6 @@ HWY_INLINE Medium select(M m, const Medium& x, const Medium& y, const Program& p
     if (program.attenuates) result.attenuates = select_mask(m, x.attenuates, y.attenuates);
     return result;
 }
-
-/// The solid on top of each ray's list.
-struct Top {
-    Medium medium;
-    F rank;  // `no_rank`: outside of all
-    F face;  // of its crossing in the event, if it has one
-
-    HWY_INLINE explicit Top(const Member& outside)
-        : medium(outside), rank(double(no_rank)), face(0.0) {}
-
-    /// Where `which`, the solid at `solid_rank` is on top of those so far.
-    HWY_INLINE void cover(M which, int solid_rank, F solid_face, const Program& program) {
-        medium.become(which, program.members[std::size_t(solid_rank)], program);
-        rank = select(which, F(double(solid_rank)), rank);
-        if (program.has_faces) face = select(which, solid_face, face);
-    }
-    /// Where `which`, the members at `ranks` are.
-    HWY_INLINE void cover(std::uint32_t which, const Doubles& ranks, const Program& program) {
-        if (which == 0) return;
-        medium.become(which, ranks, program);
-        rank = select(mask_of(which), load(ranks.at), rank);
-    }
-};
 
 /// Events on solids that are always met.
 struct Owner {
@@ -217,11 +203,12 @@ struct Batch {
     F magnitude;  // M at the point
 };
 
-/// The face number of a contact, in its place in the word of all contacts; 15: some face beyond the
-/// numbers that fit.
-HWY_INLINE U contact_word(F face, int index) {
-    const F with_exponent = min(face + F(1.0), F(15.0)) + F(0x1p52);
-    return shift_left(as_words(with_exponent) & U(15), 4 * index);
+/// The face of a contact with `solid`, plus 1, in its place in the word of all contacts; 15: some
+/// face beyond the numbers that fit, which only the host's solids have.
+HWY_INLINE U contact_word(const Solid& solid, F face, std::size_t index) {
+    if (!has_faces(solid.kind)) return U(1ull << (4 * index));
+    const F number = is_foreign(solid.kind) ? min(face, F(14.0)) : face;
+    return shift_left(as_words(number + F(0x1p52 + 1.0)) & U(15), int(4 * index));
 }
 
 /// Adds the triangle of a further mesh to a word of them; rays in contact with three are `torn`.

@@ -59,6 +59,13 @@ public:
             magnitudes_.push_back(std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) +
                                   member.radius);
         }
+        for (std::size_t i = 0; i < program.listed_solids; ++i) {
+            const auto rank = std::size_t(program.solids[i].rank);
+            const Member& member = program.members[rank];
+            listed_.push_back({1ull << (rank % 64), rank / 64, member.ior, double(member.medium),
+                               member.clear, member.attenuates,
+                               has_faces(program.solids[i].kind)});
+        }
     }
 
     Counts run();
@@ -94,7 +101,9 @@ private:
     HWY_INLINE LatheCrossings ask_crossings(const Batch& batch, const Solid& solid, M which,
                                             M& unsure);
     HWY_INLINE void find_small_spheres(Batch& batch, Findings& found);
-    HWY_INLINE void own_by_small_spheres(Batch& batch, U index, Medium& owner, List& bit) const;
+    HWY_INLINE void own_by_small_spheres(Batch& batch, std::uint32_t which, Medium& owner,
+                                         List& bit) const;
+    HWY_INLINE void touch_small_spheres(Batch& batch, M which) const;
     HWY_INLINE F nearest_magnitude(const Batch& batch, U index) const;
     void find_event(Batch& batch, const Findings& found);
     HWY_INLINE bool list_event(Batch& batch, const Findings& found);
@@ -105,13 +114,13 @@ private:
     HWY_INLINE F bounds_of_event(const Batch& batch, U index, F& pivot) const;
     HWY_INLINE M is_surface(const Batch& batch, U index) const;
     HWY_INLINE M is_in_some(const List& list) const;
-    HWY_INLINE void name_owner(Batch& batch, const Owner& surface, const Top& before,
-                               const Top& after) const;
+    HWY_INLINE Medium medium_of(U index) const;
+    HWY_INLINE Medium on_top(const Batch& batch, const List& list) const;
+    HWY_INLINE void name_owner(Batch& batch, const Owner& surface) const;
     HWY_INLINE void mark_ties(Batch& batch);
     HWY_INLINE std::uint32_t covered_by_small_spheres(const List& list, Doubles& ranks) const;
     HWY_NOINLINE void make_lists(Batch& batch, U nearest);
-    HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
-                                       Top& after);
+    HWY_INLINE void list_small_spheres(Batch& batch, F pivot, F reach, M& torn);
     HWY_INLINE M are_both(const Tie& tie, const List& list) const;
     HWY_INLINE void hand_over(Batch& batch, RayStack& stack);
     HWY_INLINE void count_event(Batch& batch);
@@ -154,6 +163,7 @@ private:
     std::int64_t* sums_;
     Counts counts_;
     Table table_;
+    std::vector<Listed> listed_;                 // in the order of their ranks
     FilmPoints points_;                          // of the camera rays that are made
     std::vector<double> magnitudes_;             // of grouped spheres, by rank
     std::uint64_t group_bits_[list_words] = {};  // their places

@@ -52,8 +52,14 @@ HWY_INLINE bool Kernel::list_event(Batch& batch, const Findings& found) {
 
 HWY_INLINE void Kernel::mark_ties(Batch& batch) {
     M both = no_lanes();
-    for (const Tie& tie : program_.ties)
-        both = both | are_both(tie, batch.before) | are_both(tie, batch.after);
+    for (const Tie& tie : program_.ties) {
+        // Mostly a ray is not even in one before the event and in another after it.
+        List either;
+        for (int w = 0; w < program_.words; ++w)
+            either.word[w] = batch.before.word[w] | batch.after.word[w];
+        if (any(are_both(tie, either)))
+            both = both | are_both(tie, batch.before) | are_both(tie, batch.after);
+    }
     batch.unsure = batch.rays.active & (batch.unsure | (batch.met & both));
 }
 
@@ -78,22 +84,25 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     batch.face = nearest.face;
     batch.same = no_lanes();
     batch.by_surface = met & is_surface(batch, index);
-    Medium owner;
-    owner.ior = look_up(table_.ior, index);
-    if (!program_.ior_tells_medium) owner.medium = look_up(table_.medium, index);
-    if (program_.has_dressed) owner.dressed = F(0.0) < look_up(table_.dressed, index);
-    if (program_.attenuates) owner.attenuates = F(0.0) < look_up(table_.attenuates, index);
+    Medium owner = medium_of(index);
     const U place = shift_left(index, 2);
-    batch.contacts =
-        program_.has_faces
-            ? shift_left(as_words(min(nearest.face + F(1.0), F(15.0)) + F(0x1p52)) & U(15), place)
-            : shift_left(U(1), place);
+    if (program_.has_faces) {
+        // As `contact_word` has it.
+        const F face = program_.foreign.empty() ? nearest.face : min(nearest.face, F(14.0));
+        batch.contacts = shift_left(as_words(face + F(0x1p52 + 1.0)) & U(15), place);
+    } else {
+        batch.contacts = shift_left(U(1), place);
+    }
     List bit;
     for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
     if (!program_.groups.empty()) batch.sphere_contacts_after = U(0);
     if (program_.has_meshes)
         batch.mesh_contacts_after = as_words(nearest.face + F(0x1p52 + 1.0)) & U(0xffffffffu);
-    if (batch.near_spheres != 0) own_by_small_spheres(batch, index, owner, bit);
+    if (batch.near_spheres != 0) {
+        const M drawn = met & (index == U(is_small_sphere));
+        touch_small_spheres(batch, drawn);
+        own_by_small_spheres(batch, bits(drawn), owner, bit);
+    }
     batch.owner_dressed = owner.dressed;
     change_bits(batch, bit, owner);
 }
@@ -101,7 +110,6 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
 /// One bit of each list, that of the solid `owner` tells of.
 HWY_INLINE void Kernel::change_bits(Batch& batch, const List& bit, const Medium& owner) const {
     const M met = batch.met, by_member = but_not(met, batch.by_surface);
-    Medium rest(program_.outside);
     List others;
     M leaves = no_lanes();
     for (int w = 0; w < program_.words; ++w) {
@@ -111,17 +119,31 @@ HWY_INLINE void Kernel::change_bits(Batch& batch, const List& bit, const Medium&
         batch.before.word[w] = inside;
         batch.after.word[w] = inside ^ own;
     }
-    for (const Solid& solid : program_.solids) {
-        if (solid.rank < 0) break;  // these are the last
-        rest.become(shares(others.word[solid.place / 64], U(1ull << (solid.place % 64))),
-                    program_.members[std::size_t(solid.rank)], program_);
-    }
-    if (!program_.groups.empty()) {
-        Doubles ranks;
-        rest.become(covered_by_small_spheres(others, ranks), ranks, program_);
-    }
+    const Medium rest = on_top(batch, others);
     batch.medium_before = select(by_member & leaves, owner, rest, program_);
     batch.medium_after = select(but_not(by_member, leaves), owner, rest, program_);
+}
+
+/// What the solids at these indices are made of.
+HWY_INLINE Medium Kernel::medium_of(U index) const {
+    Medium medium;
+    medium.ior = look_up(table_.ior, index);
+    if (!program_.ior_tells_medium) medium.medium = look_up(table_.medium, index);
+    if (program_.has_dressed) medium.dressed = F(0.0) < look_up(table_.dressed, index);
+    if (program_.attenuates) medium.attenuates = F(0.0) < look_up(table_.attenuates, index);
+    return medium;
+}
+
+/// What the strongest solids of a list are made of.
+HWY_INLINE Medium Kernel::on_top(const Batch& batch, const List& list) const {
+    Medium medium(program_.outside);
+    for (const Listed& solid : listed_)
+        medium.become(shares(list.word[solid.word], U(solid.bit)), solid, program_);
+    if (batch.near_spheres != 0) {
+        Doubles ranks;
+        medium.become(covered_by_small_spheres(list, ranks), ranks, program_);
+    }
+    return medium;
 }
 
 /// Whether the solids with these indices stand in no list: they come last.
@@ -158,7 +180,6 @@ bool Kernel::count_together(Batch& batch, U nearest) {
     Owner surface;
     U contacts(0), mesh_contacts(0);
     F passes(0.0);
-    Top before(program_.outside), after(program_.outside);
     M torn = no_lanes();
     for (std::size_t i = 0; i < program_.solids.size(); ++i) {
         const Solid& solid = program_.solids[i];
@@ -185,21 +206,14 @@ bool Kernel::count_together(Batch& batch, U nearest) {
         } else if (any(rays.active & (batch.crossing_end[i] <= high + reach))) {
             return false;
         }
-        const F face = has_faces(solid.kind) ? only(touches, batch.crossing_face[i]) : F(0.0);
-        contacts = contacts | only(touches, has_faces(solid.kind) ? contact_word(face, int(i))
-                                                                  : U(1ull << (4 * i)));
+        const F face = has_faces(solid.kind) ? batch.crossing_face[i] : F(0.0);
+        contacts = contacts | only(touches, contact_word(solid, face, i));
         if (solid.way == Way::mesh) touch_mesh(mesh_contacts, touches, face, torn);
         const std::size_t word = one_word ? 0 : std::size_t(solid.place / 64);
         const U bit(1ull << (solid.place % 64));
         before_list.word[word] = before_list.word[word] ^ only(passed_once, bit);
         after_list.word[word] = after_list.word[word] ^ only(reached_once, bit);
-        if (solid.rank < 0) {
-            surface.own(touches, i, face);
-            continue;
-        }
-        // Solids stand in the order of their ranks.
-        before.cover(shares(before_list.word[word], bit), solid.rank, face, program_);
-        after.cover(shares(after_list.word[word], bit), solid.rank, face, program_);
+        if (solid.rank < 0) surface.own(touches, i, face);
     }
     batch.contacts = contacts;
     if (program_.has_meshes) batch.mesh_contacts_after = mesh_contacts;
@@ -209,31 +223,57 @@ bool Kernel::count_together(Batch& batch, U nearest) {
         batch.before.word[w] = but_not(before_list.word[w], grouped);
         batch.after.word[w] = but_not(after_list.word[w], grouped);
     }
-    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
+    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn);
     batch.unsure = batch.unsure | (batch.met & torn);
-    name_owner(batch, surface, before, after);
+    name_owner(batch, surface);
     return true;
 }
 
-/// Whose surface the event is, if no surface of its own has it: that of the stronger of two solids.
-HWY_INLINE void Kernel::name_owner(Batch& batch, const Owner& surface, const Top& before,
-                                   const Top& after) const {
+/// Whose surface the event is, if no surface of its own has it: that of the stronger of the two
+/// solids on top, so of the strongest in either list. And what is on both sides.
+HWY_INLINE void Kernel::name_owner(Batch& batch, const Owner& surface) const {
     const M met = batch.met;
-    batch.by_surface = surface.which & met;
-    batch.medium_before = before.medium;
-    batch.medium_after = after.medium;
-    const M after_owns = before.rank < after.rank;
-    batch.owner_dressed = select_mask(after_owns, after.medium.dressed, before.medium.dressed);
-    const M by_member = but_not(met, batch.by_surface);
-    batch.same = by_member & (before.rank == after.rank);
-    batch.face =
-        select(batch.by_surface, surface.face, select(after_owns, after.face, before.face));
-    const F owner = max(before.rank, after.rank);
+    List either;
+    for (int w = 0; w < program_.words; ++w)
+        either.word[w] =
+            (batch.before.word[w] | batch.after.word[w]) & U(program_.member_bits[std::size_t(w)]);
     U index(is_small_sphere);
-    for (std::size_t i = 0; i < program_.listed_solids; ++i)
-        index = select(owner == F(double(program_.solids[i].rank)), U(i), index);
+    F face(0.0);
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+        const Listed& solid = listed_[i];
+        const M owns = shares(either.word[solid.word], U(solid.bit));
+        index = select(owns, U(i), index);
+        if (program_.has_faces)
+            face = solid.has_faces ? select(owns, batch.crossing_face[i], face)
+                                   : but_not(owns, face);
+    }
+    Medium owner = medium_of(index);
+    List bit;
+    for (int w = 0; w < program_.words; ++w) bit.word[w] = as_words(look_up(table_.bit[w], index));
+    if (batch.near_spheres != 0) {
+        const std::uint32_t covered = covered_by_small_spheres(either, batch.sphere_ranks);
+        const M by_small = mask_of(covered);
+        index = select(by_small, U(is_small_sphere), index);
+        face = but_not(by_small, face);
+        own_by_small_spheres(batch, covered, owner, bit);
+    }
+    M before_owns = no_lanes(), after_owns = before_owns;
+    for (int w = 0; w < program_.words; ++w) {
+        before_owns = before_owns | shares(batch.before.word[w], bit.word[w]);
+        after_owns = after_owns | shares(batch.after.word[w], bit.word[w]);
+    }
+    // The other list's.
+    List other;
+    for (int w = 0; w < program_.words; ++w)
+        other.word[w] = select(after_owns, batch.before.word[w], batch.after.word[w]);
+    const Medium rest = on_top(batch, other);
+    batch.medium_before = select(before_owns, owner, rest, program_);
+    batch.medium_after = select(after_owns, owner, rest, program_);
+    batch.by_surface = surface.which & met;
+    batch.same = but_not(but_not(met, batch.by_surface), before_owns ^ after_owns);
+    batch.owner_dressed = owner.dressed;
+    batch.face = select(batch.by_surface, surface.face, face);
     batch.owner_index = select(batch.by_surface, surface.index, index);
-    if (batch.near_spheres != 0) batch.sphere_ranks = Doubles(owner);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

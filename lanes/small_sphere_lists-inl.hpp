@@ -12,23 +12,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// What is told of nearest crossings that are on small spheres.
-HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, U index, Medium& owner,
+/// Contacts where the nearest crossings, alone, are on small spheres.
+HWY_INLINE void Kernel::touch_small_spheres(Batch& batch, M which) const {
+    const U ranks = as_words(load(batch.sphere_ranks.at) + F(0x1p52 + 1.0));
+    batch.sphere_contacts_after = only(which, ranks & U(0xffffffffu));
+    batch.contacts = select(which, U(0), batch.contacts);
+}
+
+/// The small spheres at `sphere_ranks` are the owners where `which`.
+HWY_INLINE void Kernel::own_by_small_spheres(Batch& batch, std::uint32_t which, Medium& owner,
                                              List& bit) const {
-    const M drawn = batch.met & (index == U(is_small_sphere));
-    if (!any(drawn)) return;
-    const std::uint32_t which = bits(drawn);
-    Words contacts, own[list_words];
-    for (int w = 0; w < program_.words; ++w) own[w] = Words(U(0));
+    if (which == 0) return;
+    Words own[list_words];
+    for (int w = 0; w < program_.words; ++w) own[w] = Words(bit.word[w]);
     for_each(which, [&](std::size_t lane) {
         const auto rank = std::size_t(batch.sphere_ranks[lane]);
-        contacts[lane] = rank + 1;
+        for (int w = 0; w < program_.words; ++w) own[w][lane] = 0;
         own[rank / 64][lane] = 1ull << (rank % 64);
     });
-    for (int w = 0; w < program_.words; ++w)
-        bit.word[w] = select(drawn, load(own[w].at), bit.word[w]);
-    batch.sphere_contacts_after = only(drawn, load(contacts.at));
-    batch.contacts = select(drawn, U(0), batch.contacts);
+    for (int w = 0; w < program_.words; ++w) bit.word[w] = load(own[w].at);
     owner.become(which, batch.sphere_ranks, program_);
 }
 
@@ -59,14 +61,13 @@ HWY_INLINE std::uint32_t Kernel::covered_by_small_spheres(const List& list, Doub
 
 /// The lists of small spheres about an event, lane by lane, from their stretches: none of them
 /// stands in `before` and `after` yet.
-HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& torn, Top& before,
-                                           Top& after) {
+HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& torn) {
     batch.sphere_contacts_after = U(0);
     if (batch.near_spheres == 0) return;
     batch.has_passed = true;
     const Doubles at(batch.t), margin(reach), largest(batch.rays.largest), pivots(pivot);
-    std::uint32_t doubtful = 0, covered_before = 0, covered_after = 0;
-    Doubles rank_before(before.rank), rank_after(after.rank), skipped(batch.false_crossings);
+    std::uint32_t doubtful = 0;
+    Doubles skipped(batch.false_crossings);
     Words list_before[list_words], list_after[list_words], contacts_after(U(0));
     for (int w = 0; w < program_.words; ++w) {
         list_before[w] = Words(batch.before.word[w]);
@@ -91,20 +92,8 @@ HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& to
                 doubtful |= 1u << lane;
             const std::size_t word = std::size_t(stretch.rank / 64);
             const std::uint64_t bit = 1ull << (stretch.rank % 64);
-            if (entered && !left) {
-                list_before[word][lane] |= bit;
-                if (rank_before[lane] < stretch.rank) {
-                    rank_before[lane] = stretch.rank;
-                    covered_before |= 1u << lane;
-                }
-            }
-            if (entered_after && !left_after) {
-                list_after[word][lane] |= bit;
-                if (rank_after[lane] < stretch.rank) {
-                    rank_after[lane] = stretch.rank;
-                    covered_after |= 1u << lane;
-                }
-            }
+            if (entered && !left) list_before[word][lane] |= bit;
+            if (entered_after && !left_after) list_after[word][lane] |= bit;
             if (enters != leaves) {
                 if (contacts == 2) {
                     doubtful |= 1u << lane;
@@ -122,8 +111,6 @@ HWY_INLINE void Kernel::list_small_spheres(Batch& batch, F pivot, F reach, M& to
         batch.before.word[w] = load(list_before[w].at);
         batch.after.word[w] = load(list_after[w].at);
     }
-    before.cover(covered_before, rank_before, program_);
-    after.cover(covered_after, rank_after, program_);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

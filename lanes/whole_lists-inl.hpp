@@ -30,7 +30,6 @@ inline void Kernel::find_event(Batch& batch, const Findings& found) {
 /// The lists anew, from all stretches: what lies within the tolerance of the event counts together.
 void Kernel::make_lists(Batch& batch, U nearest) {
     batch.has_passed = true;
-    Top before(program_.outside), after(program_.outside);
     const Rays& rays = batch.rays;
     const F t = batch.t;
     for (int w = 0; w < program_.words; ++w) batch.before.word[w] = batch.after.word[w] = U(0);
@@ -72,9 +71,8 @@ void Kernel::make_lists(Batch& batch, U nearest) {
             if (has_faces(solid.kind))
                 face = select(enters, stretch.face_in, select(leaves, stretch.face_out, face));
         }
-        batch.contacts =
-            batch.contacts |
-            only(once, has_faces(solid.kind) ? contact_word(face, int(i)) : U(1ull << (4 * i)));
+        if (has_faces(solid.kind)) batch.crossing_face[i] = face;
+        batch.contacts = batch.contacts | only(once, contact_word(solid, face, i));
         if (solid.way == Way::mesh) touch_mesh(mesh_contacts, once, face, torn);
         if (solid.inverse) {
             is_before = !is_before;
@@ -84,18 +82,12 @@ void Kernel::make_lists(Batch& batch, U nearest) {
         const U bit(1ull << (solid.place % 64));
         batch.before.word[word] = batch.before.word[word] | only(is_before, bit);
         batch.after.word[word] = batch.after.word[word] | only(is_after, bit);
-        if (solid.rank < 0) {
-            surface.own(once, i, face);
-            continue;
-        }
-        // Solids stand in the order of their ranks.
-        before.cover(is_before, solid.rank, face, program_);
-        after.cover(is_after, solid.rank, face, program_);
+        if (solid.rank < 0) surface.own(once, i, face);
     }
     if (program_.has_meshes) batch.mesh_contacts_after = mesh_contacts;
-    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn, before, after);
+    if (!program_.groups.empty()) list_small_spheres(batch, pivot, reach, torn);
     batch.unsure = batch.unsure | (batch.met & torn);
-    name_owner(batch, surface, before, after);
+    name_owner(batch, surface);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE
