@@ -63,8 +63,7 @@ public:
             const auto rank = std::size_t(program.solids[i].rank);
             const Member& member = program.members[rank];
             listed_.push_back({1ull << (rank % 64), rank / 64, member.ior, double(member.medium),
-                               member.clear, member.attenuates,
-                               has_faces(program.solids[i].kind)});
+                               member.clear, member.attenuates, has_faces(program.solids[i].kind)});
         }
     }
 

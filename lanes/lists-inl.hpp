@@ -244,8 +244,8 @@ HWY_INLINE void Kernel::name_owner(Batch& batch, const Owner& surface) const {
         const M owns = shares(either.word[solid.word], U(solid.bit));
         index = select(owns, U(i), index);
         if (program_.has_faces)
-            face = solid.has_faces ? select(owns, batch.crossing_face[i], face)
-                                   : but_not(owns, face);
+            face =
+                solid.has_faces ? select(owns, batch.crossing_face[i], face) : but_not(owns, face);
     }
     Medium owner = medium_of(index);
     List bit;

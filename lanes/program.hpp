@@ -115,14 +115,15 @@ inline bool is_plain_floor(const Solid& solid) {
 /// Room for rounding to single precision, in numbers up to 1: sums of a few products.
 inline constexpr double group_slack = 1e-5;
 
-/// Eight small spheres and a sphere around them.
+/// Eight small spheres and a sphere around them. All seen from the middle of the one around all
+/// groups, in units of its radius, with `group_slack`.
 struct Group {
     static constexpr int size = 8;
-    // Of the sphere around, from the middle of the one around all groups and in units of its
-    // radius, with `group_slack`.
-    float x_from_middle, y_from_middle, z_from_middle, reach;
+    float x, y, z, reach;
     float power;  // reach^2 - |center|^2
-    std::array<double, size> x, y, z, r;
+    struct Spheres {
+        std::array<float, size> x, y, z, reach, power;
+    } spheres;
     std::array<int, size> rank;  // `no_rank` where the group has fewer
 };
 

@@ -24,6 +24,10 @@ HWY_INLINE S operator*(S x, S y) { return {x.a * y.a, x.b * y.b}; }
 HWY_INLINE std::uint32_t operator<(S x, S y) {
     return std::uint32_t(x.a < y.a) | std::uint32_t(x.b < y.b) << 1;
 }
+HWY_INLINE void store(S x, float* to) {
+    to[0] = x.a;
+    to[1] = x.b;
+}
 #else
 using SingleTag = hn::ScalableTag<float>;
 struct S {
@@ -37,6 +41,7 @@ HWY_INLINE S singles(float x) { return {hn::Set(SingleTag{}, x)}; }
 HWY_INLINE S operator+(S x, S y) { return {hn::Add(x.v, y.v)}; }
 HWY_INLINE S operator-(S x, S y) { return {hn::Sub(x.v, y.v)}; }
 HWY_INLINE S operator*(S x, S y) { return {hn::Mul(x.v, y.v)}; }
+HWY_INLINE void store(S x, float* to) { hn::StoreU(x.v, SingleTag{}, to); }
 /// A bit for each lane.
 HWY_INLINE std::uint32_t operator<(S x, S y) {
     const auto less = hn::Lt(x.v, y.v);
@@ -51,6 +56,21 @@ HWY_INLINE std::uint32_t operator<(S x, S y) {
 #endif
 }
 #endif
+
+/// A bit for each of up to eight.
+template <class Mask>
+HWY_INLINE std::uint32_t bits_of_eight(Mask x) {
+#if HWY_TARGET == HWY_AVX3
+    return x.raw;
+#elif HWY_TARGET == HWY_AVX2
+    return std::uint32_t(_mm256_movemask_ps(x.raw));
+#else
+    const hn::CappedTag<float, 8> tag;
+    std::uint8_t stored[8] = {};
+    hn::StoreMaskBits(tag, x, stored);
+    return stored[0];
+#endif
+}
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

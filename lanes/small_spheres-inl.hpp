@@ -13,24 +13,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// Tells lanes whose rays meet a group's sphere before what is nearest so far, and some that just
-/// do not. In single precision, for rays that meet the sphere around all groups: seen from its
-/// middle, and in units of its radius, no number that decides is larger than 1.
+/// Tells which rays meet a group's sphere before what is nearest so far, and which of its spheres
+/// one ray meets; and some that they just do not. In single precision, for rays that meet the
+/// sphere around all groups: seen from its middle, and in units of its radius, no number that
+/// decides is larger than 1.
 class GroupTest {
 public:
-    HWY_INLINE GroupTest(const Program& program, const Rays& rays, F nearest)
+    HWY_INLINE GroupTest(const Program& program, const Rays& rays, const Passing& middle, F nearest)
         : per_reach_(1.0 / program.groups_reach), margin_(rays.margin(program)) {
-        const F3 d = rays.world.direction;
-        const F3 e = per_reach_ * (rays.world.origin - F3(program.groups_middle));
-        along_ = dot(e, d);
-        const F3 foot = e - along_ * d;
-        dx_ = singles(d.x);
-        dy_ = singles(d.y);
-        dz_ = singles(d.z);
-        px_ = singles(foot.x);
-        py_ = singles(foot.y);
-        pz_ = singles(foot.z);
-        lack_ = singles(dot(foot, foot));
+        along_ = per_reach_ * middle.along;
+        const S scale = singles(float(1.0 / program.groups_reach));
+        dx_ = singles(rays.world.direction.x);
+        dy_ = singles(rays.world.direction.y);
+        dz_ = singles(rays.world.direction.z);
+        px_ = scale * singles(middle.foot.x);
+        py_ = scale * singles(middle.foot.y);
+        pz_ = scale * singles(middle.foot.z);
+        lack_ = (scale * scale) * singles(middle.square);
         start_ = singles(along_ - F(group_slack) * (F(1.0) + abs(along_)));
         come_near(nearest);
     }
@@ -41,8 +40,8 @@ public:
 
     /// A bit for each lane.
     HWY_INLINE std::uint32_t met(const Group& group) const {
-        const S x = singles(group.x_from_middle), y = singles(group.y_from_middle),
-                z = singles(group.z_from_middle), r = singles(group.reach);
+        const S x = singles(group.x), y = singles(group.y), z = singles(group.z),
+                r = singles(group.reach);
         const S along = x * dx_ + y * dy_ + z * dz_;
         const S beside = x * px_ + y * py_ + z * pz_;
         // r^2 - |c - p|^2 + (c . d)^2
@@ -50,37 +49,57 @@ public:
         return (singles(0.0f) < room) & (start_ < along + r) & (along - r < limit_);
     }
 
+    /// The numbers of all lanes, for `met` of one.
+    struct Columns {
+        alignas(64) float dx[lanes], dy[lanes], dz[lanes], px[lanes], py[lanes], pz[lanes],
+            lack[lanes], start[lanes], limit[lanes];
+    };
+    HWY_INLINE void store_all(Columns& to) const {
+        store(dx_, to.dx);
+        store(dy_, to.dy);
+        store(dz_, to.dz);
+        store(px_, to.px);
+        store(py_, to.py);
+        store(pz_, to.pz);
+        store(lack_, to.lack);
+        store(start_, to.start);
+        store_limit(to);
+    }
+    HWY_INLINE void store_limit(Columns& to) const { store(limit_, to.limit); }
+
+    /// A bit for each sphere of a group, by the same formulas.
+    static HWY_INLINE std::uint32_t met(const Group& group, const Columns& rays, std::size_t lane) {
+        using Tag = hn::CappedTag<float, Group::size>;
+        constexpr Tag tag;
+        constexpr std::size_t step = hn::MaxLanes(tag);
+        const auto of_ray = [&](const float* column)
+                                HWY_ATTR { return hn::Set(Tag{}, column[lane]); };
+        const auto dx = of_ray(rays.dx), dy = of_ray(rays.dy), dz = of_ray(rays.dz),
+                   px = of_ray(rays.px), py = of_ray(rays.py), pz = of_ray(rays.pz);
+        const auto sum = [](auto x, auto y, auto z) HWY_ATTR { return hn::Add(hn::Add(x, y), z); };
+        std::uint32_t result = 0;
+        for (std::size_t part = 0; part < Group::size; part += step) {
+            const auto of_spheres = [&](const auto& column)
+                                        HWY_ATTR { return hn::LoadU(Tag{}, &column[part]); };
+            const auto x = of_spheres(group.spheres.x), y = of_spheres(group.spheres.y),
+                       z = of_spheres(group.spheres.z), r = of_spheres(group.spheres.reach);
+            const auto along = sum(hn::Mul(x, dx), hn::Mul(y, dy), hn::Mul(z, dz));
+            const auto beside = sum(hn::Mul(x, px), hn::Mul(y, py), hn::Mul(z, pz));
+            const auto room = sum(hn::Sub(of_spheres(group.spheres.power), of_ray(rays.lack)),
+                                  hn::Add(beside, beside), hn::Mul(along, along));
+            const auto hit = hn::And(hn::Lt(hn::Zero(tag), room),
+                                     hn::And(hn::Lt(of_ray(rays.start), hn::Add(along, r)),
+                                             hn::Lt(hn::Sub(along, r), of_ray(rays.limit))));
+            result |= std::uint32_t(bits_of_eight(hit)) << part;
+        }
+        return result;
+    }
+
 private:
     static constexpr double far_away = 1e30;  // and yet a number in single precision
 
     F per_reach_, margin_, along_;
     S dx_, dy_, dz_, px_, py_, pz_, lack_, start_, limit_;
-};
-
-/// One ray, to be tried against as many spheres at once as a register has numbers.
-struct SingleRay {
-    hn::Vec<DoubleTag> ox, oy, oz, dx, dy, dz;
-
-    /// A bit for each sphere that the ray meets ahead and no farther than `limit`, in rounding.
-    HWY_INLINE std::uint32_t met(const double* x, const double* y, const double* z, const double* r,
-                                 double limit) const {
-        const auto ex = hn::Sub(ox, hn::LoadU(doubles, x)), ey = hn::Sub(oy, hn::LoadU(doubles, y)),
-                   ez = hn::Sub(oz, hn::LoadU(doubles, z));
-        const auto along = hn::Add(hn::Add(hn::Mul(ex, dx), hn::Mul(ey, dy)), hn::Mul(ez, dz));
-        const auto fx = hn::Sub(ex, hn::Mul(along, dx)), fy = hn::Sub(ey, hn::Mul(along, dy)),
-                   fz = hn::Sub(ez, hn::Mul(along, dz));
-        const auto radius = hn::LoadU(doubles, r);
-        const auto space =
-            hn::Sub(hn::Mul(radius, radius),
-                    hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz)));
-        const auto ahead =
-            hn::Or(hn::Lt(along, hn::Zero(doubles)), hn::Lt(hn::Mul(along, along), space));
-        // It comes in at -along - sqrt(space).
-        const auto before = hn::Add(along, hn::Set(doubles, limit));
-        const auto in_time =
-            hn::Or(hn::Lt(hn::Zero(doubles), before), hn::Lt(hn::Mul(before, before), space));
-        return bits(hn::And(hn::And(hn::Lt(hn::Zero(doubles), space), ahead), in_time));
-    }
 };
 
 /// Small spheres are met by few rays each: lane by lane, eight spheres at once. Draws `nearest`
@@ -92,8 +111,9 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
     for (int w = 0; w < program_.words; ++w)
         named = named | shares(batch.inside.word[w], U(group_bits_[w]));
     named = named & rays.active;
-    const M near_all = rays.active & meet_sphere(program_, rays, program_.groups_middle,
-                                                 program_.groups_reach, found.nearest.t);
+    const Passing middle(rays, program_.groups_middle);
+    const M near_all =
+        rays.active & middle.meet(program_, rays, program_.groups_reach, found.nearest.t);
     if (!any(named | near_all)) return;
 
     // The rays are still on the stack, one by one.
@@ -162,27 +182,20 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
                 offer(lane, rank, false, true);
         }
     });
-    const Doubles margins(rays.margin(program_));
+    GroupTest::Columns columns;
     const auto try_group = [&](const Group& group, std::size_t lane) HWY_ATTR {
-        const auto set = [&](const double* numbers)
-                             HWY_ATTR { return hn::Set(doubles, numbers[lane]); };
-        const SingleRay ray{set(ox), set(oy), set(oz), set(dx), set(dy), set(dz)};
-        const double farthest = near[lane] * (1.0 + 1e-6) + margins[lane];
-        for (std::size_t part = 0; part < Group::size; part += width) {
-            std::uint32_t hit =
-                ray.met(&group.x[part], &group.y[part], &group.z[part], &group.r[part], farthest);
-            for (; hit; hit &= hit - 1) {
-                const int rank = group.rank[part + std::size_t(__builtin_ctz(hit))];
-                if (inside[rank / 64][lane] >> (rank % 64) & 1u) continue;
-                if (int(sphere_contacts[lane] & 0xffffffffu) == rank + 1 ||
-                    int(sphere_contacts[lane] >> 32) == rank + 1)
-                    continue;
-                offer(lane, rank, false, false);
-            }
+        for (std::uint32_t hit = GroupTest::met(group, columns, lane); hit; hit &= hit - 1) {
+            const int rank = group.rank[std::size_t(__builtin_ctz(hit))];
+            if (inside[rank / 64][lane] >> (rank % 64) & 1u) continue;
+            if (int(sphere_contacts[lane] & 0xffffffffu) == rank + 1 ||
+                int(sphere_contacts[lane] >> 32) == rank + 1)
+                continue;
+            offer(lane, rank, false, false);
         }
     };
     F nearest = drawn ? load(near.at) : found.nearest.t;
-    GroupTest test(program_, rays, nearest);
+    GroupTest test(program_, rays, middle, nearest);
+    test.store_all(columns);
     const std::uint32_t lanes_near = bits(near_all);
     for (const Group& group : program_.groups) {
         all_drawn |= drawn;
@@ -192,6 +205,7 @@ HWY_INLINE void Kernel::find_small_spheres(Batch& batch, Findings& found) {
         if (!drawn) continue;
         nearest = load(near.at);
         test.come_near(nearest);
+        test.store_limit(columns);
     }
     batch.unsure = batch.unsure | mask_of(doubtful);
     if (batch.near_spheres == 0) return;

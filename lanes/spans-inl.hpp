@@ -249,17 +249,31 @@ HWY_INLINE Stretch resolve(const Program& program, const Solid& solid, const Ray
     return result;
 }
 
-/// The lanes whose rays meet a sphere before what is nearest so far, or not far behind it.
+/// How rays pass by a point.
+struct Passing {
+    F along;   // where they are, from the place where they are nearest to it
+    F3 foot;   // from the point to that place
+    F square;  // of its length
+
+    HWY_INLINE Passing(const Rays& rays, const geom::Vec3& point) {
+        const F3 e = rays.world.origin - F3(point);
+        along = dot(e, rays.world.direction);
+        foot = e - along * rays.world.direction;
+        square = dot(foot, foot);
+    }
+    /// The lanes that meet a sphere around it before what is nearest so far, or not far behind.
+    HWY_INLINE M meet(const Program& program, const Rays& rays, double radius, F nearest) const {
+        const F room = F(radius * radius) - square;
+        // The ray comes in at -along - sqrt(room).
+        const F beyond = along + (nearest * F(1.0 + 1e-6) + rays.margin(program));
+        return (F(0.0) < room) & ((along < F(0.0)) | (along * along < room)) &
+               ((F(0.0) < beyond) | (beyond * beyond < room));
+    }
+};
+
 HWY_INLINE M meet_sphere(const Program& program, const Rays& rays, const geom::Vec3& center,
                          double radius, F nearest) {
-    const F3 e = rays.world.origin - F3(center);
-    const F b = dot(e, rays.world.direction);
-    const F3 f = e - b * rays.world.direction;
-    const F room = F(radius * radius) - dot(f, f);
-    // The ray comes in at -b - sqrt(room).
-    const F beyond = b + (nearest * F(1.0 + 1e-6) + rays.margin(program));
-    return (F(0.0) < room) & ((b < F(0.0)) | (b * b < room)) &
-           ((F(0.0) < beyond) | (beyond * beyond < room));
+    return Passing(rays, center).meet(program, rays, radius, nearest);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

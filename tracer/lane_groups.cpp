@@ -34,14 +34,20 @@ void group(std::vector<int> ranks, lanes::Program& program) {
     lanes::Group result{};
     for (std::size_t i = 0; i < std::size_t(lanes::Group::size); ++i) {
         const bool exists = i < ranks.size();
-        const lanes::Member* member = exists ? &members[std::size_t(ranks[i])] : nullptr;
-        result.x[i] = exists ? member->center.x : 0.0;
-        result.y[i] = exists ? member->center.y : 0.0;
-        result.z[i] = exists ? member->center.z : 0.0;
-        result.r[i] = exists ? member->radius : 0.0;  // a sphere of radius 0 is never hit
         result.rank[i] = exists ? ranks[i] : lanes::no_rank;
     }
     program.groups.push_back(result);
+}
+
+/// A sphere as rays in single precision see it (lanes::Group).
+struct Seen {
+    float x = 0.0f, y = 0.0f, z = 0.0f, reach = 0.0f, power = -1e9f;  // never met
+};
+Seen see(const lanes::Program& program, const geom::Vec3& center, double radius) {
+    const double reach = radius / program.groups_reach + lanes::group_slack;
+    const geom::Vec3 offset = (center - program.groups_middle) / program.groups_reach;
+    return {float(offset.x), float(offset.y), float(offset.z), float(reach),
+            float(reach * reach - glm::dot(offset, offset) + lanes::group_slack)};
 }
 
 /// Puts spheres around groups, and one around all.
@@ -69,13 +75,24 @@ void bound_groups(lanes::Program& program) {
             const lanes::Member& member = program.members[std::size_t(rank)];
             reach = std::max(reach, glm::length(member.center - center) + member.radius);
         }
-        reach = reach / program.groups_reach + lanes::group_slack;
-        const geom::Vec3 offset = (center - program.groups_middle) / program.groups_reach;
-        group.x_from_middle = float(offset.x);
-        group.y_from_middle = float(offset.y);
-        group.z_from_middle = float(offset.z);
-        group.reach = float(reach);
-        group.power = float(reach * reach - glm::dot(offset, offset) + lanes::group_slack);
+        const Seen around = see(program, center, reach);
+        group.x = around.x;
+        group.y = around.y;
+        group.z = around.z;
+        group.reach = around.reach;
+        group.power = around.power;
+        for (std::size_t i = 0; i < group.rank.size(); ++i) {
+            Seen sphere;
+            if (group.rank[i] >= 0) {
+                const lanes::Member& member = program.members[std::size_t(group.rank[i])];
+                sphere = see(program, member.center, member.radius);
+            }
+            group.spheres.x[i] = sphere.x;
+            group.spheres.y[i] = sphere.y;
+            group.spheres.z[i] = sphere.z;
+            group.spheres.reach[i] = sphere.reach;
+            group.spheres.power[i] = sphere.power;
+        }
     }
 }
 
