@@ -106,7 +106,6 @@ HWY_INLINE void Kernel::approach_floor(Batch& batch, Findings& found, std::size_
     const M inside = select_mask(has_contact, shares(word, bit), F(0.0) < depth);
     word = but_not(word, bit) | only(inside, bit);
     const M crosses = select_mask(inside, F(0.0) < slope, slope < F(0.0));
-    batch.crossing_end[i] = F(infinity);
     const F t = select(crosses, max(but_not(has_contact, depth / slope), F(0.0)), F(infinity));
     come_to(batch, found, solid, i, t, F(0.0), no_lanes());
 }
@@ -218,7 +217,7 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
         near = near & (inside | shares(rays.contacts, U(15ull << (4 * i))) |
                        meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
     if (!any(near)) {
-        batch.crossing[i] = batch.crossing_end[i] = F(infinity);
+        batch.crossing[i] = F(infinity);
         return;
     }
     const NextCrossings next = solid.way == Way::cup ? next_of_cup(program_, solid, rays)
@@ -227,7 +226,6 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
             end = select(inside, next.enter, next.leave);
     found.doubt = found.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));
     found.third = min(found.third, select(near, end, F(infinity)));
-    batch.crossing_end[i] = F(infinity);
     come_to(batch, found, solid, i, select(near, t, F(infinity)),
             select(inside, next.leave_face, next.enter_face), hidden_from(batch, solid));
 }
@@ -264,7 +262,6 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t 
         end = min(min(end, other_end), max(t, other));
         t = min(t, other);
     }
-    batch.crossing_end[i] = F(infinity);
     if (has_two_stretches(solid.kind)) {
         found.third = min(found.third, end);
     } else {

@@ -172,7 +172,7 @@ struct Batch {
     M is_mirrored;
     // Where each solid is next crossed, and on which face.
     F crossing[most_solids], crossing_face[most_solids];
-    F crossing_end[most_solids];  // where convex ones are left again that are entered there
+    F crossing_end[most_solids];  // where they are left again that are entered there, if `has_end`
     // Where each solid's stretches of the rays lie (2 i and 2 i + 1 for solid i).
     Stretch stretches[2 * most_solids];
     bool is_near[most_solids];  // whether there are any

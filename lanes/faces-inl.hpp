@@ -20,6 +20,33 @@ struct FacePoint {
     F3 point, normal;
 };
 
+/// The pieces of a lathe's profile, for `look_up`.
+struct Profile {
+    using Column = double[16];
+    alignas(64) Column a{}, b{}, c{};
+
+    explicit Profile(const Solid& solid) {
+        for (std::size_t i = 0; i < solid.pieces.size(); ++i) {
+            a[i] = solid.pieces[i].a;
+            b[i] = solid.pieces[i].b;
+            c[i] = solid.pieces[i].c;
+        }
+    }
+};
+
+/// What a piece of a lathe's profile makes of a point near it, in the lathe's frame.
+struct Turned {
+    F3 normal, way;  // the way from the point to the face
+
+    HWY_INLINE Turned(const F3& p, F a, F b, F c) {
+        const F radius = sqrt(p.x * p.x + p.z * p.z);
+        const F inverse = F(1.0) / radius;
+        const F out = select(a == F(0.0), F(0.0), a * inverse);
+        normal = {out * p.x, b, out * p.z};
+        way = (c - a * radius - b * p.y) * normal;
+    }
+};
+
 HWY_INLINE FacePoint face_point(const Solid& solid, F3 world, F face) {
     F3 p = world;
     if (solid.placed)
@@ -66,8 +93,6 @@ HWY_INLINE FacePoint face_point(const Solid& solid, F3 world, F face) {
             break;
         }
         case Kind::lathe: {
-            const F radius = sqrt(p.x * p.x + p.z * p.z);
-            const F inverse = F(1.0) / radius;
             F a(0.0), b(1.0), c(0.0);
             for (std::size_t i = 0; i < solid.pieces.size(); ++i) {
                 const M here = face == F(double(i));
@@ -75,9 +100,9 @@ HWY_INLINE FacePoint face_point(const Solid& solid, F3 world, F face) {
                 b = select(here, F(solid.pieces[i].b), b);
                 c = select(here, F(solid.pieces[i].c), c);
             }
-            const F out = select(a == F(0.0), F(0.0), a * inverse);
-            n = {out * p.x, b, out * p.z};
-            way = (c - a * radius - b * p.y) * n;
+            const Turned turned(p, a, b, c);
+            n = turned.normal;
+            way = turned.way;
             break;
         }
         case Kind::other_convex:

@@ -59,6 +59,7 @@ public:
             magnitudes_.push_back(std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) +
                                   member.radius);
         }
+        for (const int i : program.lathes) profiles_.emplace_back(program.solids[std::size_t(i)]);
         for (std::size_t i = 0; i < program.listed_solids; ++i) {
             const auto rank = std::size_t(program.solids[i].rank);
             const Member& member = program.members[rank];
@@ -129,6 +130,7 @@ private:
     HWY_INLINE void put_on_faces(Batch& batch);
     HWY_INLINE void put_on_balls(const Batch& batch, M here, FacePoint& all,
                                  F& owner_magnitude) const;
+    HWY_INLINE void put_on_lathes(const Batch& batch, M here, FacePoint& all) const;
     HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
     HWY_INLINE void add_small_spheres(const Batch& batch, M met, Round& round,
                                       F& owner_magnitude) const;
@@ -164,6 +166,7 @@ private:
     Table table_;
     std::vector<Listed> listed_;                 // in the order of their ranks
     FilmPoints points_;                          // of the camera rays that are made
+    std::vector<Profile> profiles_;              // of `lathes`
     std::vector<double> magnitudes_;             // of grouped spheres, by rank
     std::uint64_t group_bits_[list_words] = {};  // their places
 };

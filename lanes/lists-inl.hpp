@@ -188,7 +188,9 @@ bool Kernel::count_together(Batch& batch, U nearest) {
             low = t - tolerance;
             high = t + tolerance;
         }
-        const F at = max(batch.crossing[i], F(0.0));
+        const F at = max(batch.crossing[i], F(0.0)), beyond = high + reach;
+        // What is crossed farther behind the event has no say.
+        if (!any(rays.active & (at <= beyond))) continue;
         const M passed = at < low, reached = at <= high;
         const M touches = but_not(reached, passed);
         torn = torn | (touches ^ (abs(at - t) <= reach));
@@ -196,15 +198,18 @@ bool Kernel::count_together(Batch& batch, U nearest) {
         if (any(passed)) {
             batch.has_passed = true;
             passes = passes + only(passed, F(1.0));
-            // A solid that is entered and left again on the way.
+        }
+        if (has_end(solid)) {
             const F end = batch.crossing_end[i];
-            const M left = end < low - reach;
-            if (any(rays.active & but_not(end <= high + reach, left))) return false;
-            passes = passes + only(left, F(1.0));
-            reached_once = but_not(reached, left);
-            passed_once = but_not(passed, left);
-        } else if (any(rays.active & (batch.crossing_end[i] <= high + reach))) {
-            return false;
+            const M ends = rays.active & (end <= beyond);
+            if (any(ends)) {
+                // A solid that is entered and left again on the way.
+                const M left = end < low - reach;
+                if (any(but_not(ends, left))) return false;
+                passes = passes + only(left, F(1.0));
+                reached_once = but_not(reached, left);
+                passed_once = but_not(passed, left);
+            }
         }
         const F face = has_faces(solid.kind) ? batch.crossing_face[i] : F(0.0);
         contacts = contacts | only(touches, contact_word(solid, face, i));

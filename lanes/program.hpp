@@ -101,6 +101,10 @@ inline bool is_plain(const Solid& solid) {
     return solid.rank >= 0 && !solid.inverse && solid.to_camera && solid.to_mirrors &&
            solid.to_lights;
 }
+/// Whether it is kept where a ray leaves it that enters at its next crossing.
+inline bool has_end(const Solid& solid) {
+    return solid.way != Way::floor && (solid.way == Way::mesh || !has_two_stretches(solid.kind));
+}
 /// A sphere of that kind in the world's frame.
 inline bool is_plain_ball(const Solid& solid) {
     return solid.kind == Kind::sphere && !solid.placed && is_plain(solid);
@@ -190,7 +194,8 @@ struct Program {
     std::vector<int> cheap_first, foreign;  // solids with code of their own, and the host's
     std::vector<int> balls;                 // plain ones
     std::vector<int> floors;                // plain ones
-    std::vector<int> cornered;              // all but plain balls and floors
+    std::vector<int> lathes;                // in the world's frame, no complements
+    std::vector<int> cornered;              // all but these
     bool has_surfaces = true;               // solids that stand in no list
     bool has_faces = true;                  // solids of more than one face
     std::vector<int> meshes;                // the strongest first

@@ -39,10 +39,31 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
         all.point = select(on, put.point, all.point);
         all.normal = select(on, solid.inverse ? F(-1.0) * put.normal : put.normal, all.normal);
     }
+    if (!profiles_.empty()) put_on_lathes(batch, here, all);
     put_on_balls(batch, here, all, owner_magnitude);
     batch.point = all.point;
     batch.normal = all.normal;
     batch.magnitude = rays.largest + batch.t + owner_magnitude;
+}
+
+/// Lathes in the world's frame differ by the pieces of their profiles: all lanes that are on one,
+/// at once.
+HWY_INLINE void Kernel::put_on_lathes(const Batch& batch, M here, FacePoint& all) const {
+    const U face = as_words(batch.face + F(0x1p52)) & U(15);
+    M which = no_lanes();
+    F a(0.0), b(1.0), c(0.0);
+    for (std::size_t k = 0; k < profiles_.size(); ++k) {
+        const M on = here & (batch.owner_index == U(std::uint64_t(program_.lathes[k])));
+        const Profile& profile = profiles_[k];
+        which = which | on;
+        a = select(on, look_up(profile.a, face), a);
+        b = select(on, look_up(profile.b, face), b);
+        c = select(on, look_up(profile.c, face), c);
+    }
+    if (!any(which)) return;
+    const Turned turned(all.point, a, b, c);
+    all.normal = select(which, turned.normal, all.normal);
+    all.point = select(which, all.point + turned.way, all.point);
 }
 
 /// Spheres are alike: all lanes that are on one, at once.

@@ -245,8 +245,11 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         lanes::Solid& solid = program.solids[i];
         solid.way = way_of(solid);
         solid.is_large = solid.reach > large_solid * scene.size;
+        const bool is_world_lathe =
+            solid.kind == lanes::Kind::lathe && !solid.placed && !solid.inverse;
         auto& alike = solid.way == lanes::Way::ball    ? program.balls
                       : solid.way == lanes::Way::floor ? program.floors
+                      : is_world_lathe                 ? program.lathes
                                                        : program.cornered;
         alike.push_back(int(i));
     }
