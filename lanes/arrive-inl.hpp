@@ -32,15 +32,19 @@ HWY_INLINE void Kernel::attenuate(Batch& batch) {
 
 /// Adds light to the rays' pixels.
 HWY_INLINE void Kernel::add_light(M which, U code, const F3& light) {
-    const F units(program_.units);
-    const Words red(round_to_word(units * light.x)), green(round_to_word(units * light.y)),
-        blue(round_to_word(units * light.z)), codes(code);
+    PixelLight sum;
+    sum.add(which, light, program_.units);
+    add_light(which, code, sum);
+}
+HWY_INLINE void Kernel::add_light(M which, U code, const PixelLight& light) {
+    const Words red(light.red), green(light.green), blue(light.blue), added(light.count),
+        codes(code);
     for_each(which, [&](std::size_t lane) {
         std::int64_t* sum = sums_ + 4 * (codes[lane] & RayCode::pixel_mask);
         sum[0] += std::int64_t(red[lane]);
         sum[1] += std::int64_t(green[lane]);
         sum[2] += std::int64_t(blue[lane]);
-        ++sum[3];
+        sum[3] += std::int64_t(added[lane]);
     });
 }
 

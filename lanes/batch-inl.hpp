@@ -128,6 +128,19 @@ struct Child {
     U code, key;
 };
 
+/// Light on its way to the rays' pixels, in fixed point: sums of it are exact.
+struct PixelLight {
+    U red, green, blue, count;
+
+    HWY_INLINE PixelLight() : red(0), green(0), blue(0), count(0) {}
+    HWY_INLINE void add(M which, const F3& light, double units) {
+        red = red + only(which, round_to_word(F(units) * light.x));
+        green = green + only(which, round_to_word(F(units) * light.y));
+        blue = blue + only(which, round_to_word(F(units) * light.z));
+        count = count + only(which, U(1));
+    }
+};
+
 /// The spheres, of all sizes, that events are on.
 struct Round {
     M which;

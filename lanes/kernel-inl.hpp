@@ -142,6 +142,7 @@ private:
                          const List& list, bool is_shadow);
     WaitingRay waiting(RayStack& stack, std::size_t at, bool is_shadow) const;
     HWY_INLINE void add_light(M which, U code, const F3& light);
+    HWY_INLINE void add_light(M which, U code, const PixelLight& light);
     void add_light(std::uint64_t code, const geom::Vec3& light) {
         std::int64_t* sum = sums_ + 4 * (code & RayCode::pixel_mask);
         for (int i = 0; i < 3; ++i) sum[i] += std::int64_t(std::llrint(light[i] * program_.units));

@@ -40,7 +40,8 @@ HWY_INLINE void Kernel::paint(const Batch& batch) {
         const auto times = [](const F3& u, const F3& v) HWY_ATTR {
             return F3{u.x * v.x, u.y * v.y, u.z * v.z};
         };
-        add_light(here, batch.code, times(throughput, times(colour, F3(paint.glow))));
+        PixelLight sum;
+        sum.add(here, times(throughput, times(colour, F3(paint.glow))), program_.units);
         for (const Light& light : program_.lights) {
             const F3 way = F3(light.position) - batch.point;
             const F distance = sqrt(dot(way, way));
@@ -56,12 +57,13 @@ HWY_INLINE void Kernel::paint(const Batch& batch) {
             const M lit = here & (F(1e-10) <= cosine) &
                           (F(0.0) < thrown_back.x + thrown_back.y + thrown_back.z);
             if (paint.is_open) {
-                add_light(lit, batch.code, child.light);
+                sum.add(lit, child.light, program_.units);
                 continue;
             }
             counts_.shadows += count(lit);
             push(stacks_.shadows, batch, lit, child, batch.before, true);
         }
+        add_light(here, batch.code, sum);
     }
 }
 
