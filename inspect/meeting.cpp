@@ -90,18 +90,35 @@ bool is_covered(const tracer::RenderScene& scene, const Part& a, const Part& b, 
     return covered;
 }
 
+/// What slits count, along the normal.
+struct Widths {
+    double widest = 0.0;  // scene units, whatever tolerance the scene states; 0: by `thin`
+
+    /// Farther along a line none is looked for.
+    double reach(double magnitude) const {
+        return widest > 0.0 ? 100.0 * widest : 1e3 * thin * magnitude;
+    }
+    bool contain(const tracer::RenderScene& scene, double width, double magnitude) const {
+        if (widest > 0.0) {
+            const double rounding = scene.tolerance_units * geom::unit_roundoff * 4.0 * magnitude;
+            return width <= widest && width > rounding;
+        }
+        return width <= thin * magnitude && width > tracer::tolerance(scene, 4.0 * magnitude);
+    }
+};
+
 /// The slit on the line from a face of `part` to one of `other`, if it is too thin to be meant, too
 /// wide for rounding, and filled by no third solid above `priority`.
 std::optional<Gap> slit(const tracer::RenderScene& scene, const geom::Ray& line, const Part& part,
                         geom::Face face, double t, const Part& other, double t_other,
-                        double priority) {
+                        double priority, const Widths& widths) {
     const double length = std::abs(t_other - t);
     if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
     const Vec3 p = line.at(t);
     const double scale = magnitude(part, other, p);
-    if (length > 1e3 * thin * scale) return std::nullopt;
+    if (length > widths.reach(scale)) return std::nullopt;
     const double width = length * std::abs(glm::dot(part.shape.normal(face, p), line.direction));
-    if (width > thin * scale || width <= tracer::tolerance(scene, 4.0 * scale)) return std::nullopt;
+    if (!widths.contain(scene, width, scale)) return std::nullopt;
     const Vec3 middle = line.at(0.5 * (t + t_other));
     if (is_covered(scene, part, other, middle, priority)) return std::nullopt;
     return Gap{width, middle};
@@ -110,32 +127,30 @@ std::optional<Gap> slit(const tracer::RenderScene& scene, const geom::Ray& line,
 /// From where the line leaves one solid to where it enters the other.
 void add_gap(const tracer::RenderScene& scene, const geom::Ray& line, const Part& left,
              const Inside& in_left, const Part& entered, const Inside& in_entered,
-             std::vector<Gap>& gaps) {
+             const Widths& widths, std::vector<Gap>& gaps) {
     if (!(in_left.end < in_entered.begin)) return;
     const auto gap = slit(scene, line, left, in_left.last, in_left.end, entered, in_entered.begin,
-                          std::min(left.priority, entered.priority));
+                          std::min(left.priority, entered.priority), widths);
     if (gap) gaps.push_back(*gap);
 }
 
 /// Where the solid of lower priority goes on beyond an end of the other: films of it.
 void add_films(const tracer::RenderScene& scene, const geom::Ray& line, const Part& low,
-               const Inside& in_low, const Part& high, const Inside& in_high,
+               const Inside& in_low, const Part& high, const Inside& in_high, const Widths& widths,
                std::vector<Gap>& films) {
     const bool share = std::max(in_low.begin, in_high.begin) < std::min(in_low.end, in_high.end);
     if (!share || !(low.priority < high.priority)) return;
     const auto add = [&](geom::Face face, double t, double t_low) {
-        if (const auto film = slit(scene, line, high, face, t, low, t_low, low.priority))
+        if (const auto film = slit(scene, line, high, face, t, low, t_low, low.priority, widths))
             films.push_back(*film);
     };
     if (in_low.end > in_high.end) add(in_high.last, in_high.end, in_low.end);
     if (in_low.begin < in_high.begin) add(in_high.first, in_high.begin, in_low.begin);
 }
 
-}  // namespace
-
-Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b, int lines_per_axis) {
+Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b,
+             const geom::Bounds& box, int lines_per_axis, const Widths& widths) {
     Meeting meeting;
-    const geom::Bounds box = common_region(scene, a, b, thin);
     if (box.is_empty()) return meeting;
     auto lines = sample_lines(box, lines_per_axis);
     const Vec3 from_a_to_b = b.shape.bounds().center() - a.shape.bounds().center();
@@ -159,15 +174,27 @@ Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b, int
                         is_well_inside(b, shared->middle, least))
                         deepest = shared;
                 }
-                add_gap(scene, line, a, i, b, j, meeting.gaps);
-                add_gap(scene, line, b, j, a, i, meeting.gaps);
-                add_films(scene, line, a, i, b, j, meeting.films);
-                add_films(scene, line, b, j, a, i, meeting.films);
+                add_gap(scene, line, a, i, b, j, widths, meeting.gaps);
+                add_gap(scene, line, b, j, a, i, widths, meeting.gaps);
+                add_films(scene, line, a, i, b, j, widths, meeting.films);
+                add_films(scene, line, b, j, a, i, widths, meeting.films);
             }
         }
     }
     if (deepest) meeting.overlap = {deepest->middle, thickness(a, b, deepest->middle, way)};
     return meeting;
+}
+
+}  // namespace
+
+Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b, int lines_per_axis) {
+    return meet(scene, a, b, common_region(scene, a, b, thin), lines_per_axis, {});
+}
+
+Meeting meet_within(const tracer::RenderScene& scene, const Part& a, const Part& b,
+                    int lines_per_axis, double widest) {
+    const auto box = common_region(scene, a, b, 0.0).padded(widest);
+    return meet(scene, a, b, box, lines_per_axis, {widest});
 }
 
 }  // namespace meniscus::inspect

@@ -34,4 +34,9 @@ inline constexpr double thin = 1e-7;
 Meeting meet(const tracer::RenderScene& scene, const tracer::Part& a, const tracer::Part& b,
              int lines_per_axis);
 
+/// The same with gaps and films up to `widest` (scene units) in place of `thin`, whatever contact
+/// tolerance the scene states.
+Meeting meet_within(const tracer::RenderScene& scene, const tracer::Part& a, const tracer::Part& b,
+                    int lines_per_axis, double widest);
+
 }  // namespace meniscus::inspect

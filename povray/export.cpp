@@ -1,7 +1,12 @@
 #include "povray/export.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "povray/error.hpp"
 #include "povray/scale.hpp"
+#include "povray/slits.hpp"
 #include "povray/write_bodies.hpp"
 #include "povray/write_surroundings.hpp"
 #include "tracer/render_scene.hpp"
@@ -16,6 +21,11 @@ void check_outside(const scene::Scene& scene) {
                           "the outside absorbs, which POV-Ray cannot do for rays to the sky; let a "
                           "large solid do so");
     }
+}
+
+/// Solids nearer than this to each other overlap by a hair or are cut by a film (plan.cpp).
+double least_slit(const tracer::RenderScene& scene, Model model, double hair) {
+    return model == Model::plain ? 0.0 : std::min(hair, 1e-7 * scene.size);
 }
 
 const char* explanation(Model model) {
@@ -53,6 +63,14 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
     write_surroundings(writer, source);
     const double hair = options.model == Model::gap ? options.gap : result.overlap;
     for (std::string& warning : write_bodies(writer, scene, options.model, hair))
+        result.warnings.push_back(std::move(warning));
+    if (options.model == Model::gap && hair > 0.0 && hair <= scene.contact_tolerance) {
+        result.warnings.push_back(fmt::format(
+            "films of {:g} are none to Meniscus, by the scene's contact_tolerance of {:g}; POV-Ray "
+            "is given them",
+            hair, scene.contact_tolerance));
+    }
+    for (std::string& warning : slit_warnings(scene, least_slit(scene, options.model, hair)))
         result.warnings.push_back(std::move(warning));
     result.text = writer.text();
     return result;

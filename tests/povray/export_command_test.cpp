@@ -151,6 +151,43 @@ TEST_CASE("media without an end that absorb are warned of", "[export]") {
     CHECK_THAT(program.run("export t.scene -o t.pov --model " + model).err, !Contains("no end"));
 }
 
+TEST_CASE("solids that only contact_tolerance brings together are warned of", "[export]") {
+    const Program program;
+    const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
+    const auto warnings = [&](const std::string& tolerance, const std::string& objects) {
+        program.write("s.scene", head + "global_settings { " + tolerance + " }\n" + objects);
+        const auto result = program.run("export s.scene -o s.pov --model " + model);
+        CHECK(result.exit_code == 0);
+        return result.err;
+    };
+    const auto glass = [](double gap, const std::string& other) {
+        return "box { <-1, " + std::to_string(gap) +
+               ", -1>, 1 material { ior 1.5 priority 2 } }\n" + other;
+    };
+    const std::string water = "box { -1, <1, 0, 1> material { ior 1.33 priority 1 } }\n";
+    const std::string floor = "plane { y, 0 pigment { rgb 1 } }\n";
+    const std::string told = "contact_tolerance 1e-3";
+    CHECK_THAT(warnings(told, glass(5e-4, water)), Contains("s.scene:4: ") &&
+                                                       Contains("are 0.0005 apart") &&
+                                                       Contains("contact_tolerance of 0.001"));
+    CHECK_THAT(warnings(told, glass(5e-4, floor)),
+               Contains("s.scene:3: ") && Contains("are 0.0005 apart"));
+    // The lower one sticks out of the higher.
+    CHECK_THAT(
+        warnings(told,
+                 glass(0.0, "box { -0.5, <1.0005, 0.5, 0.5> material { ior 1.33 priority 1 } }\n")),
+        Contains("are 0.0005 apart"));
+    for (const auto& other : {water, floor}) {
+        CHECK_THAT(warnings("", glass(5e-4, other)), !Contains("apart"));
+        CHECK_THAT(warnings(told, glass(2e-3, other)), !Contains("apart"));
+        CHECK_THAT(warnings(told, glass(0.0, other)), !Contains("apart"));
+        CHECK_THAT(warnings(told, glass(-5e-4, other)), !Contains("apart"));
+    }
+    const bool is_film_narrower = model.starts_with("gap");
+    CHECK((warnings("contact_tolerance 2e-3", glass(0.0, water)).find("films of 0.001 are none") !=
+           std::string::npos) == is_film_narrower);
+}
+
 TEST_CASE("what is nowhere to be seen is not exported", "[export]") {
     const Program program;
     program.write("s.scene", head +
