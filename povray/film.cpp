@@ -71,14 +71,12 @@ Filmed with_films(scene::Scene source, double gap) {
             scene.objects.push_back(std::move(part));
         }
     };
-    std::set<int> opaque;
     for (const Body& body : plan.bodies) {
         // ranks 0, 1, 2 become priorities from above, with room for a film below each
         const double priority = 2.0 * (lowest - body.rank) + 2.0;
         auto& solid = scene.solids[std::size_t(body.solid)];
         solid.interior.priority = priority;
         solid.interior.states_priority = true;
-        opaque.insert(body.touched.begin(), body.touched.end());
         if (body.lower.empty() || body.is_outside) continue;
         std::vector<scene::Object> parts;
         for (const int part : body.parts) {
@@ -87,7 +85,7 @@ Filmed with_films(scene::Scene source, double gap) {
         }
         add_film(solid.name, solid.location, priority - 1.0, parts);
     }
-    for (const int part : opaque) {
+    for (const int part : plan.filmed) {
         const auto& object =
             compiled.source.objects[std::size_t(compiled.parts[std::size_t(part)].object)];
         const auto film = grown(object, gap);

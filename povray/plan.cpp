@@ -185,6 +185,7 @@ Plan make_plan(const RenderScene& scene) {
             }
         }
     }
+    for (const Body& body : bodies) plan.filmed.insert(body.touched.begin(), body.touched.end());
     return plan;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Body {
 struct Plan {
     std::vector<Body> bodies;
     std::vector<int> plain_parts;  // parts that are no dielectric
+    std::set<int> filmed;          // of these, what a body touches: they get films in gap models
 };
 
 /// Throws ExportError where solids of one priority and unlike media overlap without nesting: then

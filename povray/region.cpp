@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "povray/apart.hpp"
 #include "povray/flush.hpp"
 #include "povray/grow.hpp"
 
@@ -34,6 +35,12 @@ bool widen(scene::Object& object, double reach) {
     return false;
 }
 
+bool comes_near(const tracer::RenderScene& scene, const Body& body, int part, double distance) {
+    return !std::ranges::all_of(body.parts, [&](int mine) {
+        return are_apart(scene.parts[std::size_t(mine)], scene.parts[std::size_t(part)], distance);
+    });
+}
+
 /// A cutter that ends flush with the body also cuts what lies behind that face: copies of it, a
 /// little smaller so that no two have a face in common, reach beyond.
 void extend(const tracer::RenderScene& scene, const Body& body, int part, double distance,
@@ -44,7 +51,7 @@ void extend(const tracer::RenderScene& scene, const Body& body, int part, double
         const auto& own = scene.parts[std::size_t(mine)];
         const Flush flush = flush_faces(scene, scene.parts[std::size_t(part)], own);
         if (flush.flat.empty() && !flush.curved) continue;
-        const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture};
+        const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture, {}};
         for (const auto& normal : flush.flat) {
             result.push_back(smaller);
             auto& moved = result.back().object;
@@ -60,6 +67,22 @@ void extend(const tracer::RenderScene& scene, const Body& body, int part, double
                 "{}:{}: '{}' and the higher '{}' have a curved outer wall in common, where a skin "
                 "of the former stays in the export; let it end inside of the other",
                 object.location.file, object.location.line, object.name, theirs.name));
+        }
+    }
+}
+
+/// Where an opaque solid touches the one above, the cutter, smaller by a hair, leaves a skin of the
+/// body between the two, in which light would be bent before it meets the opaque one: it is taken
+/// away up to that, and a little beyond.
+void take_skins(const tracer::RenderScene& scene, const Body& body, const Body& other, double hair,
+                std::vector<Cutter>& result) {
+    const double beyond = hair * (4.0 + 2.0 * body.rank);
+    for (const int opaque : other.touched) {
+        if (!comes_near(scene, body, opaque, beyond)) continue;
+        for (const int part : other.parts) {
+            const auto& theirs = object_of(scene, part);
+            result.push_back({grown(theirs, beyond), theirs.texture,
+                              grown(object_of(scene, opaque), beyond + hair)});
         }
     }
 }
@@ -87,14 +110,19 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
                                                  : -hair * (first_depth + rank_step * body.rank);
         for (const int part : other.parts) {
             const auto& theirs = object_of(scene, part);
-            const Cutter cutter{grown(theirs, distance), is_film ? clear_skin : theirs.texture};
+            const Cutter cutter{grown(theirs, distance), is_film ? clear_skin : theirs.texture, {}};
             result.push_back(cutter);
             if (!is_film) extend(scene, body, part, distance, hair, result, warnings);
         }
+        if (model == Model::contact && !other.is_outside)
+            take_skins(scene, body, other, hair, result);
     }
     if (model == Model::gap) {
-        for (const int part : body.touched)
-            result.push_back({grown(object_of(scene, part), hair), clear_skin});
+        // The films about opaque solids are above all bodies.
+        for (const int part : plan.filmed) {
+            if (comes_near(scene, body, part, hair + 1e-7 * scene.size))
+                result.push_back({grown(object_of(scene, part), hair), clear_skin, {}});
+        }
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace meniscus::povray {
 /// What is taken away from a body, and the texture that its own faces get there.
 struct Cutter {
     scene::Object object;
-    std::size_t texture;  // of the scene, or `clear_skin`
+    std::size_t texture;                  // of the scene, or `clear_skin`
+    std::optional<scene::Object> within;  // only what of it lies in there
 };
 
 /// The texture of a film's face, which no object of the scene has.
@@ -22,8 +24,8 @@ inline constexpr std::size_t clear_skin = std::size_t(-1);
 double growth(const Plan& plan, const Body& body, Model model, double hair);
 
 /// What is above a body and overlaps or touches it: smaller by more than a hair in contact, larger
-/// by the gap for films. Adds to `warnings` where a curved wall that both have in common
-/// leaves a skin.
+/// by the gap for films, and more where an opaque solid touches it. Adds to `warnings` where a
+/// curved wall that both have in common leaves a skin.
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
                             Model model, double hair, std::vector<std::string>& warnings);
 

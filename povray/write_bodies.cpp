@@ -183,6 +183,16 @@ private:
         writer_.close();
     }
 
+    void write_cutter(const Cutter& cutter, const std::vector<std::string>& words) {
+        if (!cutter.within) return write_shape(writer_, cutter.object, words);
+        writer_.line("// only next to {}", cutter.within->name);
+        writer_.open("intersection");
+        write_shape(writer_, cutter.object, {});
+        write_shape(writer_, *cutter.within, {});
+        for (const auto& word : words) writer_.line("{}", word);
+        writer_.close();
+    }
+
     /// The body's region: its parts, larger by a hair where it reaches into others, minus what is
     /// above.
     void write_region(const Body& body, const std::vector<Cutter>& cutters, bool with_skins,
@@ -208,7 +218,7 @@ private:
         for (const auto& cutter : cutters) {
             if (cutter.object.name != object(body.parts.front()).name)
                 writer_.line("// minus {}", cutter.object.name);
-            write_shape(writer_, cutter.object, child_words(cutter.texture));
+            write_cutter(cutter, child_words(cutter.texture));
         }
         for (const auto& line : words) writer_.line("{}", line);
         writer_.close();
