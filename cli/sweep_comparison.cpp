@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/validators.hpp"
 #include "povray/export.hpp"
@@ -35,6 +36,7 @@ struct Pair {
     tracer::Rendered ours;
     std::optional<povray::Run> theirs;
     std::string failure;
+    std::vector<std::string> warnings;  // of the export
 };
 
 Pair render_source(const SweepOptions& options, double gap) {
@@ -43,7 +45,7 @@ Pair render_source(const SweepOptions& options, double gap) {
     gapped.scene = options.gapped;
     gapped.declarations.push_back("Gap=" + text);
     gapped.declarations.emplace_back("Meniscus=1");
-    Pair pair{render(gapped, povray::with_povrays_iors(read_scene(gapped).scene)), {}, {}};
+    Pair pair{render(gapped, povray::with_povrays_iors(read_scene(gapped).scene)), {}, {}, {}};
     try {
         pair.theirs = povray::run(options.gapped, {.width = gapped.width,
                                                    .height = gapped.height,
@@ -57,12 +59,15 @@ Pair render_source(const SweepOptions& options, double gap) {
 
 /// At a gap of 0 both get solids whose faces coincide.
 Pair render_export(const SweepOptions& options, const scene::Scene& scene, double gap) {
-    Pair pair{render(options.scene, povray::with_films(scene, gap).scene), {}, {}};
+    Pair pair{render(options.scene, povray::with_films(scene, gap).scene), {}, {}, {}};
     try {
         const auto exported = povray::export_scene(scene, {.model = povray::Model::gap,
                                                            .gap = gap,
                                                            .scale = options.scale,
                                                            .source = options.scene.file_name()});
+        pair.warnings = exported.warnings;
+        for (const auto& warning : pair.warnings)
+            print_warning(fmt::format("gap {:g}: {}", gap, warning));
         pair.theirs = povray::run_text(exported.text, {.width = options.scene.width,
                                                        .height = options.scene.height,
                                                        .declares = {},
@@ -81,6 +86,7 @@ compare::SweepRow measure_gap(const Pair& pair, double gap, double threshold,
     row.meniscus = compare::measure(contact, film, threshold);
     row.meniscus_seconds = pair.ours.cpu_seconds;
     row.failure = pair.failure;
+    row.warnings = pair.warnings;
     if (pair.theirs) {
         row.film = compare::measure(film, pair.theirs->picture, threshold);
         row.povray = compare::measure(contact, pair.theirs->picture, threshold);

@@ -16,6 +16,16 @@ std::string share(const std::optional<Metrics>& metrics) {
     return metrics ? fmt::format("{:.2f} %", 100.0 * metrics->share_off()) : "";
 }
 
+/// Of CSV: in quotes, those within doubled.
+std::string quoted(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"') result += c;
+        result += c;
+    }
+    return result + "\"";
+}
+
 }  // namespace
 
 std::vector<double> logarithmic_steps(double first, double last, int per_decade) {
@@ -42,6 +52,8 @@ std::string format_text(const Sweep& sweep) {
                             share(row.povray), figure(row.meniscus), share(row.meniscus),
                             row.povray_seconds, row.meniscus_seconds);
         if (!row.failure.empty()) text += fmt::format("{:<10}{}\n", "", row.failure);
+        for (const auto& warning : row.warnings)
+            text += fmt::format("{:<10}warning: {}\n", "", warning);
     }
     return text;
 }
@@ -49,14 +61,16 @@ std::string format_text(const Sweep& sweep) {
 std::string format_csv(const Sweep& sweep) {
     std::string text =
         "gap,povray_film_rmse,povray_film_off,povray_contact_rmse,povray_contact_off,"
-        "meniscus_contact_rmse,meniscus_contact_off,povray_cpu_seconds,meniscus_cpu_seconds\n";
+        "meniscus_contact_rmse,meniscus_contact_off,povray_cpu_seconds,meniscus_cpu_seconds,"
+        "warnings\n";
     const auto pair = [](const std::optional<Metrics>& metrics) {
         return metrics ? fmt::format("{:.6g},{:.6g}", metrics->rmse, metrics->share_off()) : ",";
     };
     for (const auto& row : sweep.rows)
-        text += fmt::format("{:.6g},{},{},{},{:.6g},{:.6g}\n", row.gap, pair(row.film),
-                            pair(row.povray), pair(row.meniscus), row.povray_seconds,
-                            row.meniscus_seconds);
+        text += fmt::format(
+            "{:.6g},{},{},{},{:.6g},{:.6g},{}\n", row.gap, pair(row.film), pair(row.povray),
+            pair(row.meniscus), row.povray_seconds, row.meniscus_seconds,
+            row.warnings.empty() ? "" : quoted(fmt::format("{}", fmt::join(row.warnings, "; "))));
     return text;
 }
 
@@ -64,10 +78,17 @@ std::string format_markdown(const Sweep& sweep) {
     std::string text =
         "| gap | POV-Ray against the film, RMSE (off) | POV-Ray against contact | Meniscus against "
         "contact |\n|---|---|---|---|\n";
-    for (const auto& row : sweep.rows)
-        text += fmt::format("| {:g} | {} ({}) | {} ({}) | {} ({}) |\n", row.gap, figure(row.film),
-                            share(row.film), figure(row.povray), share(row.povray),
-                            figure(row.meniscus), share(row.meniscus));
+    const SweepRow* warned = nullptr;
+    for (const auto& row : sweep.rows) {
+        if (!warned && !row.warnings.empty()) warned = &row;
+        text += fmt::format("| {:g}{} | {} ({}) | {} ({}) | {} ({}) |\n", row.gap,
+                            row.warnings.empty() ? "" : " \\*", figure(row.film), share(row.film),
+                            figure(row.povray), share(row.povray), figure(row.meniscus),
+                            share(row.meniscus));
+    }
+    if (warned)
+        text += fmt::format("\n\\* The export warns, as of {:g}: {}\n", warned->gap,
+                            fmt::join(warned->warnings, "; "));
     return text;
 }
 

@@ -20,6 +20,7 @@ struct SweepRow {
     Metrics meniscus;               // Meniscus' picture of this gap against exact contact
     double povray_seconds = 0.0, meniscus_seconds = 0.0;  // CPU, of the trace stage
     std::string failure;                                  // why POV-Ray has no picture
+    std::vector<std::string> warnings;  // why POV-Ray's picture may not be that of this gap
 };
 
 /// What a gap costs, and where it breaks.

@@ -25,6 +25,8 @@ std::string table(const Sweep& sweep) {
                               figure(row.meniscus), fmt::format("{:.3f}", row.povray_seconds),
                               fmt::format("{:.3f}", row.meniscus_seconds)});
         if (!row.failure.empty()) table.rows.push_back({"", escape(row.failure), "", "", "", ""});
+        for (const auto& warning : row.warnings)
+            table.rows.push_back({"", "warning: " + escape(warning), "", "", "", ""});
     }
     return format_table(table);
 }

@@ -52,7 +52,7 @@ std::vector<std::string> scale_warnings(const tracer::RenderScene& scene,
                         "picture; use --scale {:g} or more",
                         overlap, scale, round_up(least_overlap / (largest_overlap * size))));
     }
-    if (options.model == Model::gap && options.gap * scale < nearest) {
+    if (options.model == Model::gap && options.gap > 0.0 && options.gap * scale < nearest) {
         warnings.push_back(fmt::format(
             "at --scale {:g} POV-Ray sees no film thinner than {:.2g} in the light (shadow rays) "
             "and {:.2g} otherwise; "

@@ -121,6 +121,28 @@ TEST_CASE("a sweep of the paper's glass: films of air, the cliff, and contact at
     CHECK(rmse.at(0.0)[2] < 1e-4);
 }
 
+TEST_CASE("a sweep tells of widths at which POV-Ray's limits are in the picture", "[compare]") {
+    const Program program;
+    program.write("nest.scene", R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -4> look_at 0 right x * image_width / image_height }
+sphere { 0, 1 material { ior 1.5 priority 1 } }
+sphere { 0, 0.8 material { ior 1.33 priority 2 } }
+)");
+    // A film of 1e-9 that shadow rays see asks for a scale at which 1e7 of POV-Ray's units end
+    // before the scene does.
+    const auto result =
+        program.run("compare nest.scene -W 8 -H 6 --sweep-gap 1e-2:1e-9 --csv s.csv");
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const std::string warning = "sees nothing farther than 1;";
+    CHECK_THAT(result.err, Contains("warning: gap 1e-09: ") && Contains(warning) &&
+                               !Contains("gap 0.01: ") && !Contains("gap 0: "));
+    CHECK(result.err.find(warning) == result.err.rfind(warning));
+    CHECK_THAT(result.out, Contains(warning));
+    CHECK_THAT(program.read("s.csv"), Contains(warning));
+}
+
 TEST_CASE("a nested scene is exported and its picture matched", "[compare]") {
     const Program program;
     program.write("nest.scene", R"(#version 3.7;

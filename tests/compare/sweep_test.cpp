@@ -16,10 +16,11 @@ Metrics metrics(double rmse) {
 }
 
 Sweep sweep() {
-    return {"A glass",
-            {{1e-1, metrics(0.2), metrics(0.3), metrics(0.4), 1.5, 0.5, ""},
-             {1e-2, std::nullopt, std::nullopt, metrics(0.1), 0.0, 0.25, "it broke"},
-             {0.0, metrics(0.02), metrics(0.03), metrics(0.0), 1.0, 0.5, ""}}};
+    return {
+        "A glass",
+        {{1e-1, metrics(0.2), metrics(0.3), metrics(0.4), 1.5, 0.5, "", {}},
+         {1e-2, std::nullopt, std::nullopt, metrics(0.1), 0.0, 0.25, "it broke", {}},
+         {0.0, metrics(0.02), metrics(0.03), metrics(0.0), 1.0, 0.5, "", {"a <b>", "c \"d\""}}}};
 }
 
 }  // namespace
@@ -32,10 +33,21 @@ TEST_CASE("steps are powers of ten to the last digit", "[compare]") {
 }
 
 TEST_CASE("a sweep is a table for people and for programs", "[compare]") {
-    CHECK_THAT(format_csv(sweep()), Contains("0.1,0.2,0.25,0.3,0.25,0.4,0.25,1.5,0.5\n") &&
-                                        Contains("0.01,,,,,0.1,0.25,0,0.25\n"));
+    CHECK_THAT(format_csv(sweep()), Contains("0.1,0.2,0.25,0.3,0.25,0.4,0.25,1.5,0.5,\n") &&
+                                        Contains("0.01,,,,,0.1,0.25,0,0.25,\n"));
     CHECK_THAT(format_text(sweep()), Contains("no picture") && Contains("it broke"));
     CHECK_THAT(format_markdown(sweep()), Contains("| 0.1 | 2.00e-01 (25.00 %) |"));
+}
+
+TEST_CASE("a width whose export warns is marked, in all forms", "[compare]") {
+    const auto text = format_text(sweep());
+    CHECK_THAT(text, Contains("warning: a <b>\n") && Contains("warning: c \"d\"\n"));
+    CHECK(text.find("warning") > text.find("it broke"));
+    CHECK_THAT(format_csv(sweep()),
+               Contains(",warnings\n") && Contains(",1,0.5,\"a <b>; c \"\"d\"\"\"\n"));
+    CHECK_THAT(format_markdown(sweep()), Contains("| 0 \\* | 2.00e-02") && Contains("| 0.1 | ") &&
+                                             Contains("\n\n\\* The export warns, as of 0: a <b>"));
+    CHECK_THAT(format_page(sweep(), ""), Contains("warning: a &lt;b&gt;"));
 }
 
 TEST_CASE("a plot shows what is there, and no gap of 0", "[compare]") {
