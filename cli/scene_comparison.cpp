@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/diagnostics.hpp"
+#include "cli/povray_source.hpp"
 #include "cli/shell_words.hpp"
 #include "compare/jump_regions.hpp"
 #include "inspect/diagram.hpp"
@@ -92,17 +93,10 @@ Source make_source(const SceneComparisonOptions& options, const scene::Scene& sc
 }
 
 PovRaySide render_by_povray(const SceneComparisonOptions& options, const Source& source) {
-    povray::RunOptions run{.width = options.scene.width,
-                           .height = options.scene.height,
-                           .declares = {},
-                           .library_paths = {}};
-    if (source.text.empty()) {
-        for (const auto& declaration : options.scene.declarations) {
-            const auto equals = declaration.find('=');
-            run.declares.emplace_back(declaration.substr(0, equals),
-                                      declaration.substr(equals + 1));
-        }
-        for (const auto& path : options.scene.library_paths) run.library_paths.emplace_back(path);
+    auto run = run_options(options.scene);
+    if (!source.text.empty()) {  // the export depends on neither any more
+        run.declares.clear();
+        run.library_paths.clear();
     }
     std::vector<double> seconds;
     povray::Run result;

@@ -6,6 +6,7 @@
 
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/povray_source.hpp"
 #include "cli/validators.hpp"
 #include "povray/export.hpp"
 #include "povray/film.hpp"
@@ -47,10 +48,9 @@ Pair render_source(const SweepOptions& options, double gap) {
     gapped.declarations.emplace_back("Meniscus=1");
     Pair pair{render(gapped, povray::with_povrays_iors(read_scene(gapped).scene)), {}, {}, {}};
     try {
-        pair.theirs = povray::run(options.gapped, {.width = gapped.width,
-                                                   .height = gapped.height,
-                                                   .declares = {{"Gap", text}},
-                                                   .library_paths = {}});
+        auto run = run_options(options.scene);
+        run.declares.emplace_back("Gap", text);
+        pair.theirs = povray::run(options.gapped, run);
     } catch (const povray::RunFailed& error) {
         pair.failure = error.what();
     }
@@ -134,6 +134,8 @@ compare::Sweep sweep_gaps(const SweepOptions& options) {
                                                  : render_source(options, gap);
         sweep.rows.push_back(measure_gap(pair, gap, options.threshold, contact));
     }
+    if (std::ranges::none_of(sweep.rows, [](const auto& row) { return row.povray.has_value(); }))
+        throw povray::RunFailed(sweep.rows.front().failure);
     return sweep;
 }
 

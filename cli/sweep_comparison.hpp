@@ -21,7 +21,7 @@ struct SweepOptions {
 std::vector<double> parse_gaps(const std::string& text);
 
 /// Renders all gaps and a gap of 0, where faces coincide, by both. Prints a line of progress for
-/// each to standard error.
+/// each to standard error. Throws povray::RunFailed if POV-Ray renders none of them.
 compare::Sweep sweep_gaps(const SweepOptions& options);
 
 }  // namespace meniscus::cli

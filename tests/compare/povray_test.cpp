@@ -121,6 +121,29 @@ TEST_CASE("a sweep of the paper's glass: films of air, the cliff, and contact at
     CHECK(rmse.at(0.0)[2] < 1e-4);
 }
 
+TEST_CASE("a sweep hands declarations and library paths to POV-Ray, too", "[compare]") {
+    const Program program;
+    program.write("ball.pov", glass_ball);
+    std::filesystem::create_directory(program.path("library"));
+    program.write("library/ball.inc", glass_ball);
+    program.write("gap.pov", "#include \"ball.inc\"\n");
+    const std::string sweep = "compare ball.pov --povray gap.pov -W 8 -H 6 --sweep-gap 1e-2:1e-3 ";
+    const auto result = program.run(sweep + "--declare Ior=1.5 -L library --csv s.csv");
+    INFO(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, !Contains("no picture"));
+    CHECK(read_sweep(program.read("s.csv")).at(1e-2)[1] < 1e-3);
+}
+
+TEST_CASE("a sweep without a picture of POV-Ray's fails", "[compare]") {
+    const Program program;
+    program.write("gap.pov", "#version 3.7;\n#ifndef (Meniscus) nonsense #end\n");
+    const auto result =
+        program.run("compare ball.scene --povray gap.pov -W 8 -H 6 --sweep-gap 1e-2:1e-3");
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("POV-Ray does not render gap.pov") && Contains("nonsense"));
+}
+
 TEST_CASE("a sweep tells of widths at which POV-Ray's limits are in the picture", "[compare]") {
     const Program program;
     program.write("nest.scene", R"(#version 3.7;
