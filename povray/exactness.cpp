@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inspect/sample_lines.hpp"
+#include "povray/apart.hpp"
 #include "povray/error.hpp"
 
 namespace meniscus::povray {
@@ -30,6 +32,44 @@ bool lets_rays_to_the_sky(const tracer::RenderScene& scene, const tracer::Part& 
             return true;
     }
     return false;
+}
+
+/// Whether an open surface lies in the solid's own wall, as far as lines find that.
+bool lies_in_wall(const tracer::RenderScene& scene, const tracer::Part& solid,
+                  const tracer::Part& open) {
+    const double margin = 1e-7 * scene.size;
+    const auto box = inspect::common_region(scene, solid, open, 1e-3);
+    for (const auto& line : inspect::sample_lines(box, 64)) {
+        geom::Crossings hits;
+        open.shape.hits(line, hits);
+        if (hits.empty()) continue;
+        for (const auto& [begin, end, first, last] : inspect::inside(solid, line)) {
+            for (const auto& hit : hits) {
+                if (std::abs(hit.t - begin) <= margin || std::abs(hit.t - end) <= margin)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
+void doubt_labels(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
+                  std::vector<std::string>& lines) {
+    for (const int mine : body.parts) {
+        for (const int other : plan.plain_parts) {
+            const auto& part = scene.parts[std::size_t(mine)];
+            const auto& open = scene.parts[std::size_t(other)];
+            if (open.shape.is_closed() || are_apart(part, open, 1e-7 * scene.size) ||
+                !lies_in_wall(scene, part, open))
+                continue;
+            const auto& label = scene.source.objects[std::size_t(open.object)];
+            lines.push_back(fmt::format(
+                "{}:{}: the open surface '{}' lies in the wall of '{}', which covers it in "
+                "POV-Ray or not, by rounding; move it out by {:.0g}",
+                label.location.file, label.location.line, label.name,
+                scene.source.solids[std::size_t(body.solid)].name, 1e-4 * scene.size));
+        }
+    }
 }
 
 }  // namespace
@@ -75,6 +115,7 @@ void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
 std::vector<std::string> doubts(const tracer::RenderScene& scene, const Plan& plan) {
     std::vector<std::string> lines;
     for (const Body& body : plan.bodies) {
+        doubt_labels(scene, plan, body, lines);
         const auto& solid = scene.source.solids[std::size_t(body.solid)];
         const bool is_endless = std::ranges::any_of(body.parts, [&](int index) {
             const tracer::Part& part = scene.parts[std::size_t(index)];

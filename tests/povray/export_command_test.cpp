@@ -151,6 +151,22 @@ TEST_CASE("media without an end that absorb are warned of", "[export]") {
     CHECK_THAT(program.run("export t.scene -o t.pov --model " + model).err, !Contains("no end"));
 }
 
+TEST_CASE("a label in the very wall of a glass is warned of", "[export]") {
+    const Program program;
+    const std::string glass = "cylinder { 0, 2*y, 1 material { ior 1.5 } }\n";
+    const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
+    const auto warnings_of = [&](const std::string& radius) {
+        program.write("s.scene", head + glass + "cylinder { 0.5*y, 1.5*y, " + radius +
+                                     " open pigment { rgb 1 } }\n");
+        const auto result = program.run("export s.scene -o s.pov --model " + model);
+        CHECK(result.exit_code == 0);
+        return result.err;
+    };
+    CHECK_THAT(warnings_of("1"), Contains("s.scene:3: ") && Contains("lies in the wall"));
+    CHECK_THAT(warnings_of("1.01"), !Contains("lies in the wall"));
+    CHECK_THAT(warnings_of("0.9"), !Contains("lies in the wall"));
+}
+
 TEST_CASE("solids that only contact_tolerance brings together are warned of", "[export]") {
     const Program program;
     const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
