@@ -34,10 +34,15 @@ scene::Scene in_model(scene::Scene scene, const ModelOptions& options, bool quie
     return std::move(filmed.scene);
 }
 
+std::string film_text(const std::optional<povray::Thickness>& thickness) {
+    return thickness ? fmt::format("{:.6g} to {:.6g} scene units thick", thickness->least,
+                                   thickness->largest)
+                     : "none: no solid cuts another";
+}
+
 void print_film(const std::optional<povray::Thickness>& thickness) {
     if (!thickness) return fmt::print(stderr, "no films: no solid cuts another\n");
-    fmt::print(stderr, "films {:.6g} to {:.6g} scene units thick\n", thickness->least,
-               thickness->largest);
+    fmt::print(stderr, "films {}\n", film_text(thickness));
 }
 
 }  // namespace meniscus::cli

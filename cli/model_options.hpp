@@ -23,7 +23,10 @@ void check_usage(const ModelOptions& options);
 /// The scene as the model has it. How thick films are goes to standard error, unless `quiet`.
 scene::Scene in_model(scene::Scene scene, const ModelOptions& options, bool quiet);
 
-/// How thick the films of the gap model really are, on standard error.
+/// How thick the films of the gap model really are: "0.01 to 0.012 scene units thick".
+std::string film_text(const std::optional<povray::Thickness>& thickness);
+
+/// The same on standard error.
 void print_film(const std::optional<povray::Thickness>& thickness);
 
 }  // namespace meniscus::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/diagnostics.hpp"
+#include "cli/model_options.hpp"
 #include "cli/povray_source.hpp"
 #include "cli/shell_words.hpp"
 #include "compare/jump_regions.hpp"
@@ -226,8 +227,12 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
     for (const auto& warning : source.warnings) print_warning(warning);
     const auto other =
         options.explain ? make_other_side(given, source_scene) : std::optional<OtherSide>();
-    if (options.model == povray::Model::gap)
-        source_scene = povray::with_films(std::move(source_scene), options.gap).scene;
+    std::string films;
+    if (options.model == povray::Model::gap) {
+        auto filmed = povray::with_films(std::move(source_scene), options.gap);
+        source_scene = std::move(filmed.scene);
+        films = film_text(filmed.thickness);
+    }
     const auto scene = tracer::compile(std::move(source_scene));
     tracer::Options tracer_options;
     tracer_options.width = options.scene.width;
@@ -238,6 +243,7 @@ SceneComparison compare_scene(const SceneComparisonOptions& given) {
 
     auto povray = render_by_povray(given, source);
     auto ours = render_by_meniscus(options, scene, tracer_options);
+    if (!films.empty()) ours.facts.emplace_back("films", films);
     auto regions = compare::regions_by_jumps(scene, tracer_options, ours.picture);
     auto settings = options.settings;
     settings.clip = true;  // as POV-Ray's picture is

@@ -13,7 +13,54 @@ namespace {
 
 using geom::Vec3;
 
-/// From points of the part's surface along its normal to the grown one.
+/// Where the ray first meets the surface; infinity if it does not.
+double first_hit(const geom::PlacedShape& shape, const geom::Ray& ray) {
+    geom::Crossings ends;
+    shape.crossings(ray, ends);
+    double nearest = geom::infinity;
+    for (const auto& end : ends) {
+        if (end.t > 0.0) nearest = std::min(nearest, end.t);
+    }
+    return nearest;
+}
+
+/// How far the surface is from a point, known to be no farther than `bound` in direction `way`: by
+/// a search over directions, which also finds edges.
+double distance(const geom::PlacedShape& shape, const Vec3& point, Vec3 way, double bound) {
+    constexpr int directions = 96;
+    constexpr double golden_angle = 2.399963229728653;  // Fibonacci's lattice on the sphere
+    const auto look = [&](const Vec3& direction) {
+        geom::Ray ray;
+        ray.origin = point;
+        ray.direction = glm::normalize(direction);
+        const double t = first_hit(shape, ray);
+        if (!(t < bound)) return false;
+        bound = t;
+        way = ray.direction;
+        return true;
+    };
+    for (int i = 0; i < directions; ++i) {
+        const double y = (2.0 * i + 1.0) / directions - 1.0, r = std::sqrt(1.0 - y * y);
+        look({r * std::cos(i * golden_angle), y, r * std::sin(i * golden_angle)});
+    }
+    // The lattice's are some 0.2 apart. An edge is a sharp valley among directions, which only a
+    // try along it descends: each step looks round in turns that never repeat.
+    constexpr int tries = 32;
+    double turn = 0.0;
+    for (double step = 0.2; step > 1e-4; step *= 0.7) {
+        for (int i = 0; i < tries; ++i) {
+            turn += golden_angle;
+            const Vec3 side = glm::normalize(
+                glm::cross(way, std::abs(way.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0}));
+            const Vec3 up = glm::cross(way, side);
+            look(way + step * (std::cos(turn) * side + std::sin(turn) * up));
+        }
+    }
+    return bound;
+}
+
+/// From points of the part's surface to the grown one: along its normal, but where that runs up
+/// within a wall, as beside a corner within a glass, to the nearest.
 void measure(const tracer::RenderScene& scene, int index, const scene::Object& grown_object,
              std::optional<Thickness>& thickness) {
     const auto& part = scene.parts[std::size_t(index)];
@@ -27,13 +74,10 @@ void measure(const tracer::RenderScene& scene, int index, const scene::Object& g
             geom::Ray ray;
             ray.origin = part.shape.on_face(crossing.face, line.at(crossing.t));
             ray.direction = sign * part.shape.normal(crossing.face, ray.origin);
-            geom::Crossings ends;
-            outer.crossings(ray, ends);
-            double nearest = geom::infinity;
-            for (const auto& end : ends) {
-                if (end.t > 0.0) nearest = std::min(nearest, end.t);
-            }
+            double nearest = first_hit(outer, ray);
             if (!std::isfinite(nearest)) continue;
+            if (!thickness || nearest > thickness->largest)
+                nearest = distance(outer, ray.origin, ray.direction, nearest);
             if (!thickness) thickness = Thickness{nearest, nearest};
             thickness->least = std::min(thickness->least, nearest);
             thickness->largest = std::max(thickness->largest, nearest);

@@ -6,7 +6,7 @@
 
 namespace meniscus::povray {
 
-/// How thick films really are, measured along the normals of what they cover.
+/// How thick films really are, measured from points of what they cover.
 struct Thickness {
     double least, largest;
 };

@@ -191,6 +191,9 @@ sphere { 0, 0.8 material { ior 1.33 priority 2 } }
     // POV-Ray's values come in steps of 1/65535.
     CHECK(outside_edges("contact") < 1e-4);
     CHECK(outside_edges("gap --gap 1e-3") < 1e-4);
+    // As `export` says them.
+    CHECK_THAT(program.run("compare nest.scene -W 8 -H 6 --model gap --gap 1e-3").out,
+               Contains("Meniscus: films 0.001 to 0.001 scene units thick"));
 }
 
 TEST_CASE("a report traces what each side is given", "[compare]") {

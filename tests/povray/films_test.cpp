@@ -88,3 +88,19 @@ TEST_CASE("a stretched film's least and largest thickness are told", "[export][f
     CHECK(filmed.thickness->least < 0.0099);
     CHECK(filmed.thickness->least > 0.005);
 }
+
+TEST_CASE("a film in a corner is as thick as the way to its edge", "[export][film]") {
+    // Within a cup the film's wall and bottom stand before the glass's by the gap each and meet in
+    // an edge: from the corner behind that it is sqrt(2) gaps away, from all else nearer. Straight
+    // up from beside the corner it would be the height of the cup.
+    const double gap = GENERATE(0.003, 0.03, 0.1);
+    const auto filmed = povray::with_films(
+        read("lathe { linear_spline 7, <0, 0> <1, 0> <1, 2> <0.9, 2> <0.9, 0.15> <0, 0.15> <0, 0>\n"
+             "    material { ior 1.5 priority 2 } }\n"
+             "cylinder { 0.15*y, 1.4*y, 0.9 material { ior 1.33 priority 1 } }"),
+        gap);
+    REQUIRE(filmed.thickness);
+    CHECK(filmed.thickness->least == Approx(gap).epsilon(1e-9));
+    CHECK(filmed.thickness->largest <= gap * std::sqrt(2.0) * (1.0 + 1e-4));
+    if (gap == 0.1) CHECK(filmed.thickness->largest > 1.3 * gap);  // some lines end in the corner
+}
