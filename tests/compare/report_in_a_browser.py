@@ -2,7 +2,7 @@
 """Looks at a report of `meniscus compare` in headless Chromium: moves the slider, flips, zooms, selects pixels, by keyboard too, and
 asserts on what the page then shows. Speaks WebDriver (W3C) to ChromeDriver, with nothing but Python's own library.
 
-    report_in_a_browser.py MENISCUS CHROMEDRIVER [FOLDER_FOR_SCREENSHOTS]
+    report_in_a_browser.py MENISCUS CHROMEDRIVER FOLDER_FOR_SCREENSHOTS
     report_in_a_browser.py --shoot REPORT.html CHROMEDRIVER OUT.png     # the viewer with its slider, as a picture
 """
 
@@ -154,7 +154,7 @@ def look(browser, meniscus, folder, comparison, shots):
     browser.click("#flip")
     check("flip shows the other picture", near(browser.color_at_pixel(x, y), on_screen(b)))
     check("flip chooses its button", browser.run("return document.querySelector('input[name=view]:checked').value") == "picture")
-    shots and browser.screenshot(shots / "picture.png")
+    browser.screenshot(shots / "picture.png")
 
     browser.type("#canvas", "3")
     check("key 3 shows the slider", browser.run("return canvas.dataset.view") == "slider")
@@ -163,7 +163,7 @@ def look(browser, meniscus, folder, comparison, shots):
     browser.set_range("#slider", 0)
     check("the slider at the left end shows the picture", near(browser.color_at_pixel(x, y), on_screen(b)))
     browser.set_range("#slider", 50)
-    shots and browser.screenshot_of(".viewer", shots / "slider.png")
+    browser.screenshot_of(".viewer", shots / "slider.png")
 
     browser.type("#canvas", "4")
     shown = {browser.run("return canvas.dataset.shown")}
@@ -183,7 +183,7 @@ def look(browser, meniscus, folder, comparison, shots):
     check("a smaller scale gives stronger colours", sum(stronger) < sum(color))
     check("the legend follows", browser.text("#legend-high") == "+0.0010")
     browser.set_range("#scale", -0.5)
-    shots and browser.screenshot(shots / "difference.png")
+    browser.screenshot(shots / "difference.png")
 
     browser.type("#canvas", "1")
     zoom = browser.run("return state.zoom")
@@ -201,7 +201,7 @@ def look(browser, meniscus, folder, comparison, shots):
         return [[0.2, 0.2], [0.8, 0.2], [0.5, 0.5], [0.8, 0.8]].map(([u, v]) =>
             context.getImageData(Math.floor(left + u * side), Math.floor(top + v * side), 1, 1).data.join())""", x, y)
     check("zoom shows pixels as squares", browser.run("return state.zoom") >= 16 and len(set(corners)) == 1)
-    shots and browser.screenshot(shots / "pixels.png")
+    browser.screenshot(shots / "pixels.png")
     browser.type("#canvas", KEYS["right"] + KEYS["down"])
     check("arrow keys move over pixels", browser.text("#place") == f"({x + 1}, {y + 1})")
     browser.type("#canvas", KEYS["space"])
@@ -210,11 +210,10 @@ def look(browser, meniscus, folder, comparison, shots):
     browser.run("location.hash = document.querySelector('a[href^=\"#pixel-\"]').hash")
     time.sleep(0.2)
     check("a link opens its pixel's details", browser.run("return document.querySelector('details').open"))
-    if shots:
-        browser.run("document.querySelector('#numbers-head').scrollIntoView()")
-        browser.screenshot(shots / "numbers.png")
-        browser.run("document.querySelector('#worst-head').scrollIntoView()")
-        browser.screenshot(shots / "worst.png")
+    browser.run("document.querySelector('#numbers-head').scrollIntoView()")
+    browser.screenshot(shots / "numbers.png")
+    browser.run("document.querySelector('#worst-head').scrollIntoView()")
+    browser.screenshot(shots / "worst.png")
     nameless = browser.run("""return [...document.querySelectorAll('input, select, button, canvas, img')].filter(
         (e) => !(e.labels?.length || e.textContent.trim() || e.alt || e.getAttribute('aria-label'))).map((e) => e.outerHTML)""")
     check(f"every control has a name {nameless}", nameless == [])
@@ -222,7 +221,29 @@ def look(browser, meniscus, folder, comparison, shots):
 
     pdf = base64.b64decode(browser.send("POST", "/print", {"background": True}))
     check("it prints", pdf.startswith(b"%PDF"))
-    shots and (shots / "print.pdf").write_bytes(pdf)
+    (shots / "print.pdf").write_bytes(pdf)
+
+
+def is_blank(png):
+    """Whether a screenshot of a page holds next to nothing: one colour packs to a few kilobytes."""
+    return not png.startswith(b"\x89PNG") or len(png) < 10000
+
+
+def look_at_povrays(browser, meniscus, folder, shots):
+    """The report on a scene beside POV-Ray: each worst pixel tells what both renderers do there."""
+    subprocess.run([meniscus, "compare", "ball.scene", "-W", str(WIDTH), "-H", str(HEIGHT), "--declare", "Ior=1.5", "--report", "p.html"],
+                   cwd=folder, check=True, capture_output=True)
+    open_report(browser, folder / "p.html")
+    check("beside POV-Ray: the viewer is ready", browser.run("return !document.querySelector('.viewer').hidden"))
+    browser.run("location.hash = document.querySelector('a[href^=\"#pixel-\"]').hash")
+    time.sleep(0.2)
+    details = browser.run("return document.querySelector('details[open]').textContent")
+    check("a worst pixel's link opens both renderers' values", "POV-Ray: linear" in details and "Meniscus: linear" in details)
+    check("the ray tree, and the commands for both",
+          all(words in details for words in ("meniscus inspect ball.scene", "povray +I", "reflect", "refract")))
+    check("the console is silent there, too", browser.console() == [])
+    browser.run("document.querySelector('details[open]').scrollIntoView()")
+    browser.screenshot(shots / "povray.png")
 
 
 def shoot(report, chromedriver, picture):
@@ -241,16 +262,19 @@ def main():
     if sys.argv[1] == "--shoot":
         return shoot(*sys.argv[2:5])
     meniscus, chromedriver = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:3])
-    shots = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
-    shots and shots.mkdir(parents=True, exist_ok=True)
+    shots = pathlib.Path(sys.argv[3]).resolve()
+    shots.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
         folder = pathlib.Path(name)
         comparison = make_report(meniscus, folder)
         browser = Browser(chromedriver, folder / "profile")
         try:
             look(browser, meniscus, folder, comparison, shots)
+            look_at_povrays(browser, meniscus, folder, shots)
         finally:
             browser.close()
+    for path in sorted(shots.glob("*.png")):
+        check(f"{path.name} shows something", not is_blank(path.read_bytes()))
 
 
 if __name__ == "__main__":
