@@ -1,6 +1,7 @@
 #include "povray/write_lathe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,12 +17,24 @@ using geom::Vec2;
 constexpr double longest_part = 1.0 / 96.0;
 constexpr double most_cuts = 64.0;
 
+/// A line among curves. Written by its thirds it is a cubic whose higher terms are rounding, which
+/// at some scales POV-Ray takes for true ones and then finds no roots; uneven steps make them
+/// large.
+std::array<Vec2, 4> straight_curve(const geom::ProfilePiece& piece) {
+    const Vec2 way = piece.end - piece.start;
+    return {piece.start, piece.start + 0.4 * way, piece.start + 0.7 * way, piece.end};
+}
+
 std::vector<Vec2> bezier_points(const geom::Profile& profile) {
     std::vector<Vec2> points;
     for (const auto& piece : profile.pieces()) {
+        if (piece.straight) {
+            const auto line = straight_curve(piece);
+            points.insert(points.end(), line.begin(), line.end());
+            continue;
+        }
         const double part = glm::length(piece.end - piece.start) / profile.size();
-        const int curves =
-            piece.straight ? 1 : int(std::clamp(std::ceil(part / longest_part), 1.0, most_cuts));
+        const int curves = int(std::clamp(std::ceil(part / longest_part), 1.0, most_cuts));
         const auto more = cut(piece, curves);
         points.insert(points.end(), more.begin(), more.end());
     }
