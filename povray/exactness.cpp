@@ -82,9 +82,9 @@ void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
     for (const Body& body : plan.bodies) {
         if (body.is_outside) continue;
         const auto& interior = scene.source.solids[std::size_t(body.solid)].interior;
+        const bool has_neighbours = !body.higher.empty() || !body.lower.empty();
         for (const int index : body.parts) {
             const Part& part = scene.parts[std::size_t(index)];
-            const bool has_neighbours = !body.higher.empty() || !body.lower.empty();
             if (has_neighbours && (part.no_image || part.no_reflection)) {
                 throw ExportError(location(index),
                                   "no_image and no_reflection on a solid that meets others "
@@ -96,7 +96,7 @@ void require_exact(const tracer::RenderScene& scene, const Plan& plan) {
                                   "POV-Ray's shadow rays would not be absorbed");
             }
         }
-        if (interior.caustics != 0.0) {
+        if (interior.caustics != 0.0 && has_neighbours) {
             throw ExportError(scene.source.solids[std::size_t(body.solid)].location,
                               "caustics cannot be exported: POV-Ray brightens at each cut "
                               "face once more");

@@ -86,8 +86,9 @@ TEST_CASE("what export cannot do it refuses where it stands", "[export][cli]") {
          "", "s.scene:3:1: error: ", "overlap with the same priority 1"},
         {"sphere { 0, 1 interior { ior 1.5 fade_distance 1 fade_power 2 } }\n", "",
          "s.scene:2:1: error: ", "fade_power below 1000"},
-        {"sphere { 0, 1 interior { ior 1.5 caustics 1 } }\n", "",
-         "s.scene:2:1: error: ", "caustics"},
+        {"sphere { 0, 1 interior { ior 1.5 caustics 1 } }\n"
+         "sphere { 0.5*x, 1 material { ior 1.3 priority 2 } }\n",
+         "", "s.scene:2:1: error: ", "caustics"},
         {"sphere { 0, 1 material { ior 1.5 } }\n  disc { 2*y, y, 1 pigment { rgbt 1 } }\n", "",
          "s.scene:3:3: error: ", "open surface that lets light through"},
         {"sphere { 0, 1 material { ior 1.5 priority 1 } no_image }\n"
