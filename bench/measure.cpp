@@ -175,14 +175,12 @@ private:
                                           fmt::format("{}", row.contender.limits->adc_bailout));
             options.library_paths = source->second.library_paths;
         }
-        repeat_short(row, [&] {
-            run = source != setup_.povray_sources.end()
-                      ? povray::run(source->second.file, options)
-                      : povray::run_text(
-                            subject(row.contender.model).exported(setup_, row.contender.limits),
-                            options);
-            return std::optional(run.cpu_seconds);
-        });
+        run =
+            source != setup_.povray_sources.end()
+                ? povray::run(source->second.file, options)
+                : povray::run_text(
+                      subject(row.contender.model).exported(setup_, row.contender.limits), options);
+        row.seconds.push_back(run.cpu_seconds);
         judge(row, std::move(run.picture));
     } catch (const povray::RunFailed& error) {
         // Ctrl-C reaches POV-Ray as well.
@@ -190,7 +188,7 @@ private:
     }
 
     /// What is over in a blink is done a few times at once, and its median counts: the first time
-    /// it finds nothing in the caches after what went before.
+    /// it finds nothing in the caches after what went before. (POV-Ray has a process of its own.)
     template <class Render>
     void repeat_short(Row& row, Render&& render) {
         constexpr double long_enough = 0.2;  // seconds

@@ -34,7 +34,7 @@ def mesh_words(quick, folder):
 
 def section(store, pictures, quick, folder):
     out = "## Run time against error\n\n"
-    out += ("Seconds are CPU seconds of the render stage, one thread of both renderers, medians of interleaved runs; what takes less than 0.2 s\n"
+    out += ("Seconds are CPU seconds of the render stage, one thread of both renderers, medians of interleaved runs; what takes us less than 0.2 s\n"
             "is repeated at once, up to five times. Errors are RMSE in linear\n"
             "light, clipped to [0, 1] as POV-Ray's pictures are, against our own picture of the same model from many more samples; its own error,\n"
             "half the difference of two halves with unlike samples, stands beside it. *Gap* is the picture of air films 1e-3 thick between the\n"
