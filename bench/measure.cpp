@@ -167,19 +167,18 @@ private:
                                    .threads = setup_.threads};
         povray::Run run;
         const auto source = setup_.povray_sources.find(row.contender.model);
-        if (source != setup_.povray_sources.end()) {
+        if (source == setup_.povray_sources.end()) {
+            run = povray::run_text(
+                subject(row.contender.model).exported(setup_, row.contender.limits), options);
+        } else {
             options.declares = source->second.declares;
             options.declares.emplace_back("MTL",
                                           std::to_string(row.contender.limits->max_trace_level));
             options.declares.emplace_back("ADC",
                                           fmt::format("{}", row.contender.limits->adc_bailout));
             options.library_paths = source->second.library_paths;
+            run = povray::run(source->second.file, options);
         }
-        run =
-            source != setup_.povray_sources.end()
-                ? povray::run(source->second.file, options)
-                : povray::run_text(
-                      subject(row.contender.model).exported(setup_, row.contender.limits), options);
         row.seconds.push_back(run.cpu_seconds);
         judge(row, std::move(run.picture));
     } catch (const povray::RunFailed& error) {

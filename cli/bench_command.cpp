@@ -11,6 +11,7 @@
 #include "cli/diagnostics.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/povray_source.hpp"
 #include "cli/tracer_options.hpp"
 #include "cli/version.hpp"
 #include "compare/json_report.hpp"
@@ -64,12 +65,9 @@ std::map<bench::Model, bench::PovRaySource> make_sources(const BenchOptions& opt
                 fmt::format("--povray '{}': it must be as gap=FILE.pov or contact=FILE.pov", text));
         auto& source = sources[model_of(model)];
         source.file = text.substr(equals + 1);
-        for (const auto& declaration : options.scene.declarations) {
-            const auto at = declaration.find('=');
-            source.declares.emplace_back(declaration.substr(0, at), declaration.substr(at + 1));
-        }
-        for (const auto& path : options.scene.library_paths)
-            source.library_paths.emplace_back(path);
+        const auto told = run_options(options.scene);
+        source.declares = told.declares;
+        source.library_paths = told.library_paths;
     }
     return sources;
 }

@@ -7,6 +7,7 @@
 
 #include "inspect/sample_lines.hpp"
 #include "povray/apart.hpp"
+#include "povray/directions.hpp"
 #include "povray/error.hpp"
 
 namespace meniscus::povray {
@@ -16,7 +17,6 @@ namespace {
 /// part for ever.
 bool lets_rays_to_the_sky(const tracer::RenderScene& scene, const tracer::Part& part) {
     constexpr int directions = 1024;
-    constexpr double golden_angle = 2.399963229728653;  // Fibonacci's lattice on the sphere
     geom::Ray ray;
     ray.origin = scene.source.camera.location;
     const auto is_met = [&](const tracer::Part& other) {
@@ -25,8 +25,7 @@ bool lets_rays_to_the_sky(const tracer::RenderScene& scene, const tracer::Part& 
         return std::ranges::any_of(crossings, [](const auto& c) { return c.t > 0.0; });
     };
     for (int i = 0; i < directions; ++i) {
-        const double y = (2.0 * i + 1.0) / directions - 1.0, r = std::sqrt(1.0 - y * y);
-        ray.direction = {r * std::cos(i * golden_angle), y, r * std::sin(i * golden_angle)};
+        ray.direction = spread_direction(i, directions);
         const auto far = ray.origin + 1e9 * scene.size * ray.direction;
         if (part.shape.contains(far) != part.inverse && std::ranges::none_of(scene.parts, is_met))
             return true;
@@ -37,7 +36,7 @@ bool lets_rays_to_the_sky(const tracer::RenderScene& scene, const tracer::Part& 
 /// Whether an open surface lies in the solid's own wall, as far as lines find that.
 bool lies_in_wall(const tracer::RenderScene& scene, const tracer::Part& solid,
                   const tracer::Part& open) {
-    const double margin = 1e-7 * scene.size;
+    const double margin = touching_distance(scene);
     const auto box = inspect::common_region(scene, solid, open, 1e-3);
     for (const auto& line : inspect::sample_lines(box, 64)) {
         geom::Crossings hits;
@@ -59,7 +58,7 @@ void doubt_labels(const tracer::RenderScene& scene, const Plan& plan, const Body
         for (const int other : plan.plain_parts) {
             const auto& part = scene.parts[std::size_t(mine)];
             const auto& open = scene.parts[std::size_t(other)];
-            if (open.shape.is_closed() || are_apart(part, open, 1e-7 * scene.size) ||
+            if (open.shape.is_closed() || are_apart(part, open, touching_distance(scene)) ||
                 !lies_in_wall(scene, part, open))
                 continue;
             const auto& label = scene.source.objects[std::size_t(open.object)];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "povray/apart.hpp"
 #include "povray/error.hpp"
 #include "povray/scale.hpp"
 #include "povray/slits.hpp"
@@ -25,7 +26,7 @@ void check_outside(const scene::Scene& scene) {
 
 /// Solids nearer than this to each other overlap by a hair or are cut by a film (plan.cpp).
 double least_slit(const tracer::RenderScene& scene, Model model, double hair) {
-    return model == Model::plain ? 0.0 : std::min(hair, 1e-7 * scene.size);
+    return model == Model::plain ? 0.0 : std::min(hair, touching_distance(scene));
 }
 
 const char* explanation(Model model) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "geom/placed_shape.hpp"
 #include "inspect/sample_lines.hpp"
+#include "povray/directions.hpp"
 #include "povray/grow.hpp"
 
 namespace meniscus::povray {
@@ -28,7 +28,6 @@ double first_hit(const geom::PlacedShape& shape, const geom::Ray& ray) {
 /// a search over directions, which also finds edges.
 double distance(const geom::PlacedShape& shape, const Vec3& point, Vec3 way, double bound) {
     constexpr int directions = 96;
-    constexpr double golden_angle = 2.399963229728653;  // Fibonacci's lattice on the sphere
     const auto look = [&](const Vec3& direction) {
         geom::Ray ray;
         ray.origin = point;
@@ -39,10 +38,7 @@ double distance(const geom::PlacedShape& shape, const Vec3& point, Vec3 way, dou
         way = ray.direction;
         return true;
     };
-    for (int i = 0; i < directions; ++i) {
-        const double y = (2.0 * i + 1.0) / directions - 1.0, r = std::sqrt(1.0 - y * y);
-        look({r * std::cos(i * golden_angle), y, r * std::sin(i * golden_angle)});
-    }
+    for (int i = 0; i < directions; ++i) look(spread_direction(i, directions));
     // The lattice's are some 0.2 apart. An edge is a sharp valley among directions, which only a
     // try along it descends: each step looks round in turns that never repeat.
     constexpr int tries = 32;

@@ -142,7 +142,7 @@ Plan make_plan(const RenderScene& scene) {
     std::map<int, int> body_of;
     for (std::size_t i = 0; i < bodies.size(); ++i) body_of[bodies[i].solid] = int(i);
 
-    const double margin = 1e-7 * scene.size;
+    const double margin = touching_distance(scene);
     std::set<std::pair<int, int>> above;  // the first above the second
     for (const auto& [a, b] : inspect::neighbours(scene, 1e-6)) {
         const Part& first = scene.parts[std::size_t(a)];

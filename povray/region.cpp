@@ -120,7 +120,7 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
     if (model == Model::gap) {
         // The films about opaque solids are above all bodies.
         for (const int part : plan.filmed) {
-            if (comes_near(scene, body, part, hair + 1e-7 * scene.size))
+            if (comes_near(scene, body, part, hair + touching_distance(scene)))
                 result.push_back({grown(object_of(scene, part), hair), clear_skin, {}});
         }
     }
