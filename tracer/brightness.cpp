@@ -54,8 +54,9 @@ double brightest(const scene::Scene& scene) {
         const double highlights = std::abs(finish.phong) + std::abs(finish.specular);
         const double tint = std::max(1.0, 1.0 + std::abs(finish.metallic) * (1.0 + color));
         surface = std::max(
-            surface, color * own + lights * (std::abs(finish.diffuse) * color + highlights * tint) +
-                         std::abs(finish.crand));
+            surface,
+            color * own + lights * ((std::abs(finish.diffuse) + std::abs(finish.crand)) * color +
+                                    highlights * tint));
     }
     double sky = greatest(scene.background.rgb);
     for (const scene::Pigment& pigment : scene.sky_sphere.pigments)

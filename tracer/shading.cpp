@@ -41,9 +41,17 @@ Rgb reflectivity(const scene::Reflection& reflection, double eta, double cosine,
     return rho * metallic_tint(reflection.metallic, angle_share(cosine), color);
 }
 
+/// `crand`: POV-Ray takes a random number off the diffuse light of every lamp, before it is
+/// coloured.
+double grain(const scene::Finish& finish, std::uint64_t key, std::size_t light) {
+    return finish.crand == 0.0 ? 0.0
+                               : finish.crand * lanes::texture_chance(lanes::mix(key) + light);
+}
+
 /// Diffuse light and highlights of all lights, by POV-Ray's formulas.
 void add_lights(const RenderScene& scene, const Vec3& eye_ray, const Event& event,
-                const scene::Texture& texture, const scene::Color& color, Shading& shading) {
+                const scene::Texture& texture, const scene::Color& color, std::uint64_t key,
+                Shading& shading) {
     const scene::Finish& finish = texture.finish;
     const double diffuse = finish.diffuse * color.opacity();
     const bool has_highlight = finish.phong != 0.0 || finish.specular != 0.0;
@@ -53,7 +61,8 @@ void add_lights(const RenderScene& scene, const Vec3& eye_ray, const Event& even
     const Vec3 mirrored = reflect(eye_ray, normal);
     const bool both_sides = scene.parts[event.skin].double_illuminate;
     const bool eye_is_outside = glm::dot(event.normal, eye_ray) < 0.0;
-    for (const scene::Light& light : scene.source.lights) {
+    for (std::size_t light_index = 0; light_index < scene.source.lights.size(); ++light_index) {
+        const scene::Light& light = scene.source.lights[light_index];
         const LightAt seen = light_at(light, event.origin.origin);
         if (seen.color == Rgb{0.0}) continue;
         double cosine = glm::dot(normal, seen.direction);
@@ -67,7 +76,7 @@ void add_lights(const RenderScene& scene, const Vec3& eye_ray, const Event& even
         if (diffuse != 0.0) {
             const double shape =
                 finish.brilliance == 1.0 ? cosine : std::pow(cosine, finish.brilliance);
-            terms += diffuse * shape * color.rgb;
+            terms += (diffuse * shape - grain(finish, key, light_index)) * color.rgb;
         }
         if (has_highlight && !light.shadowless) {
             double highlight = 0.0;
@@ -132,8 +141,7 @@ void shade(const RenderScene& scene, const Vec3& direction, const Event& event,
     shading.own = color.rgb *
                   (finish.ambient * scene.source.settings.ambient_light + finish.emission) *
                   color.opacity();
-    add_lights(scene, direction, event, texture, color, shading);
-    if (finish.crand != 0.0) shading.own -= Rgb{finish.crand * lanes::texture_chance(key)};
+    add_lights(scene, direction, event, texture, color, key, shading);
 
     const double eta = medium(scene, event.solid_before).ior / medium(scene, event.solid_after).ior;
     const scene::Reflection& reflection = finish.reflection;
