@@ -35,6 +35,11 @@ ExitCode run(const ExportOptions& options) {
     if (model != povray::Model::gap && options.gap)
         throw UsageError("--gap belongs to --model gap");
     const auto output = options.output.empty() ? options.scene.stem() + ".pov" : options.output;
+    std::error_code unknown;
+    if (options.output.empty() && std::filesystem::equivalent(output, options.scene.scene, unknown))
+        throw UsageError(fmt::format(
+            "the export of '{0}' would be '{0}' itself: name another file, as -o {1}.export.pov",
+            output, options.scene.stem()));
     auto scene_options = options.scene;
     scene_options.outputs = {output};
     const auto interpreted = read_scene(scene_options);
@@ -79,7 +84,9 @@ Command make_export_command(CLI::App& app) {
                      "Units of the export in one of the scene; default: by the scene's size")
         ->check(positive())
         ->type_name("S");
-    command->add_option("-o,--output", options->output, "Default: SCENE.pov; - is standard output")
+    command
+        ->add_option("-o,--output", options->output,
+                     "Default: SCENE.pov, in this folder; - is standard output")
         ->type_name("OUT.pov");
     return {command, [options] { return run(*options); }};
 }

@@ -40,6 +40,25 @@ TEST_CASE("export writes the scene's name with .pov, or where it is told", "[exp
     CHECK(piped.out == text);
 }
 
+TEST_CASE("a .pov is not exported over itself: the error says what to do", "[export][cli]") {
+    const Program program;
+    program.write("nest.pov", nest);
+    for (const auto* scene : {"nest.pov", "./nest.pov"}) {
+        const auto result = program.run(std::string("export --to povray ") + scene);
+        CHECK(result.exit_code == 2);
+        CHECK_THAT(result.err,
+                   StartsWith("meniscus: error: the export of 'nest.pov' would be 'nest.pov' "
+                              "itself: name another file, as -o nest.export.pov"));
+        CHECK(program.read("nest.pov") == nest);
+    }
+    REQUIRE(program.run("export nest.pov -o nest.export.pov").exit_code == 0);
+    CHECK_THAT(program.read("nest.export.pov"), StartsWith("// nest.pov, for POV-Ray 3.7"));
+    // Nor is what lies elsewhere in the way.
+    CHECK(program.shell("mkdir there && cd there && " MENISCUS_BINARY " export ../nest.pov")
+              .exit_code == 0);
+    CHECK(program.exists("there/nest.pov"));
+}
+
 TEST_CASE("an export can be read: names, places, one object a paragraph", "[export][cli]") {
     const Program program;
     program.write("nest.scene", nest);
