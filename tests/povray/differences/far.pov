@@ -1,0 +1,6 @@
+// A white wall 2e7 away: POV-Ray sees nothing beyond 1e7.
+// pixel 40, 30
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 60 adc_bailout 1e-9 }
+camera { location -5*z look_at 0 right 4/3*x angle 30 }
+plane { -z, -2e7 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }

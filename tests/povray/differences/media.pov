@@ -1,0 +1,7 @@
+// A slab of smoke before a white wall.
+// pixel 40, 30
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 60 adc_bailout 1e-9 }
+camera { location -5*z look_at 0 right 4/3*x angle 30 }
+box { <-9, -9, 4>, <9, 9, 5> pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }
+box { <-9, -9, -1>, <9, 9, 1> hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { media { absorption 0.5 } } }

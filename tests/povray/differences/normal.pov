@@ -1,0 +1,7 @@
+// A wall with a bumpy normal.
+// pixel 40, 30
+#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 60 adc_bailout 1e-9 }
+camera { location -5*z look_at 0 right 4/3*x angle 30 }
+light_source { -9*z, rgb 1 }
+plane { -z, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } normal { bumps 1 translate 0.3 } }
