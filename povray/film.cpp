@@ -96,6 +96,10 @@ Filmed with_films(scene::Scene source, double gap) {
     const std::size_t clear = scene.textures.size();
     scene.textures.push_back(scene::Texture::clear_skin());
 
+    // What is hidden in a higher solid has no place in the plan, and stays below all.
+    for (const auto& part : compiled.parts) {
+        if (part.is_member) scene.solids[std::size_t(part.solid)].interior.priority = 0.0;
+    }
     int lowest = 0;
     for (const Body& body : plan.bodies) lowest = std::max(lowest, body.rank);
     const auto add_film = [&](const std::string& name, const scene::Location& location,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "geom/placed_shape.hpp"
@@ -55,6 +56,26 @@ TEST_CASE("of three in one place the middle one has films on both sides", "[expo
     for (const auto& [radius, ior] :
          {std::pair{0.49, 1.31}, {0.505, 1.0}, {0.52, 1.33}, {0.805, 1.0}, {0.82, 1.5}})
         CHECK(ior_at(filmed.scene, {0, radius, 0}) == ior);
+}
+
+TEST_CASE("what is hidden in a higher solid stays so beside films", "[export][film]") {
+    const auto filmed =
+        povray::with_films(read("sphere { 0, 1 material { ior 1.5 priority 7 } }\n"
+                                "sphere { 0, 0.8 material { ior 1.33 priority 6 } }\n"
+                                "sphere { 2*y, 1.2 material { ior 1.4 priority 8 } }"),
+                           0.01);
+    for (const auto& [y, ior] : {std::pair{-0.81, 1.5},
+                                 {-0.79, 1.5},
+                                 {0.78, 1.5},
+                                 {0.785, 1.5},
+                                 {0.795, 1.0},
+                                 {0.81, 1.4}})
+        CHECK(ior_at(filmed.scene, {0, y, 0}) == ior);
+    const auto& solids = filmed.scene.solids;
+    const auto hidden =
+        std::ranges::find_if(solids, [](const auto& s) { return s.interior.ior == 1.33; });
+    for (auto solid = solids.begin(); solid != solids.end(); ++solid)
+        CHECK((solid == hidden || solid->interior.priority > hidden->interior.priority));
 }
 
 TEST_CASE("the outside's medium needs no film, and one alone has none", "[export][film]") {
