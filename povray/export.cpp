@@ -6,6 +6,7 @@
 
 #include "povray/apart.hpp"
 #include "povray/error.hpp"
+#include "povray/precision.hpp"
 #include "povray/scale.hpp"
 #include "povray/slits.hpp"
 #include "povray/write_bodies.hpp"
@@ -51,6 +52,11 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
     result.scale = options.scale.value_or(natural_scale(scene, options));
     if (options.model == Model::contact) result.overlap = least_overlap / result.scale;
     result.warnings = scale_warnings(scene, options, result.scale);
+    if (source.settings.max_trace_level.value_or(0) > most_trace_levels) {
+        result.warnings.push_back(
+            fmt::format("max_trace_level is {} in the export, not {}: POV-Ray goes no deeper",
+                        most_trace_levels, *source.settings.max_trace_level));
+    }
 
     Writer writer;
     writer.line("// {}, for POV-Ray 3.7 by Meniscus:",

@@ -1,5 +1,8 @@
 #include "povray/write_surroundings.hpp"
 
+#include <algorithm>
+
+#include "povray/precision.hpp"
 #include "povray/write_texture.hpp"
 
 namespace meniscus::povray {
@@ -11,7 +14,8 @@ void write_settings(Writer& writer, const Settings& settings) {
     writer.open("global_settings");
     const WorkingSpace& space = settings.working_space;
     writer.line("assumed_gamma {}", space.is_srgb ? "srgb" : number(space.gamma));
-    writer.line("max_trace_level {}", settings.max_trace_level.value_or(5));
+    writer.line("max_trace_level {}",
+                std::min(settings.max_trace_level.value_or(5), most_trace_levels));
     writer.line("adc_bailout {}", number(settings.adc_bailout.value_or(1.0 / 255.0)));
     if (settings.ambient_light != Rgb{1.0})
         writer.line("ambient_light {}", color(settings.ambient_light));

@@ -95,6 +95,20 @@ TEST_CASE("a scale that does not fit is warned of", "[export][cli]") {
                                Contains("use --scale 100 or more"));
 }
 
+TEST_CASE("POV-Ray is asked for no deeper tree than it has", "[export][cli]") {
+    const Program program;
+    const auto exported = [&](int levels) {
+        program.write("deep.scene", head + "global_settings { max_trace_level " +
+                                        std::to_string(levels) + " }\nsphere { 0, 1 }\n");
+        return program.run("export deep.scene -o -");
+    };
+    CHECK_THAT(exported(256).out, Contains("max_trace_level 256\n"));
+    CHECK_THAT(exported(256).err, !Contains("max_trace_level"));
+    CHECK_THAT(exported(257).out, Contains("max_trace_level 256\n"));
+    CHECK_THAT(exported(257).err,
+               Contains("warning: max_trace_level is 256 in the export, not 257"));
+}
+
 TEST_CASE("what export cannot do it refuses where it stands", "[export][cli]") {
     const Program program;
     const struct {
