@@ -87,6 +87,24 @@ void take_skins(const tracer::RenderScene& scene, const Body& body, const Body& 
     }
 }
 
+/// Of what no light gets into, faces that are cut look as the rest does: where a higher solid ends
+/// in it, it is what is seen.
+void take_own_texture(const tracer::RenderScene& scene, const Body& body,
+                      std::vector<Cutter>& result, std::vector<std::string>& warnings) {
+    const auto is_opaque = [&](int part) { return scene.parts[std::size_t(part)].is_opaque; };
+    if (result.empty() || std::ranges::none_of(body.parts, is_opaque)) return;
+    const auto& first = object_of(scene, *std::ranges::find_if(body.parts, is_opaque));
+    for (auto& cutter : result) cutter.texture = first.texture;
+    if (std::ranges::any_of(body.parts, [&](int part) {
+            return object_of(scene, part).texture != first.texture;
+        })) {
+        warnings.push_back(fmt::format(
+            "{}:{}: of '{}' and the parts joined with it, unlike in texture, the faces where a "
+            "higher solid cuts them all get the texture of this one",
+            first.location.file, first.location.line, first.name));
+    }
+}
+
 }  // namespace
 
 double growth(const Plan& plan, const Body& body, Model model, double hair) {
@@ -124,6 +142,7 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
                 result.push_back({grown(object_of(scene, part), hair), clear_skin, {}});
         }
     }
+    take_own_texture(scene, body, result, warnings);
     return result;
 }
 

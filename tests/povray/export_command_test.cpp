@@ -238,6 +238,25 @@ TEST_CASE("solids that only contact_tolerance brings together are warned of", "[
            std::string::npos) == is_film_narrower);
 }
 
+TEST_CASE("an opaque block that glass cuts is closed by its own texture", "[export]") {
+    const Program program;
+    const std::string model = GENERATE("contact", "gap --gap 1e-3");
+    const std::string glass = "sphere { 0, 1 material { ior 1.5 priority 2 } }\n";
+    const std::string red = "pigment { rgb <1, 0.1, 0.2> }", interior = "interior { ior 1.3 }";
+    const auto exported = [&](const std::string& block) {
+        program.write("s.scene", head + glass + block);
+        return program.run("export s.scene -o - --model " + model);
+    };
+    const auto one = exported("box { 0, 2 " + red + interior + " }\n");
+    CHECK_THAT(one.err, !Contains("warning"));
+    const auto block = one.out.substr(one.out.find("// Box_3 (s.scene:3), priority 0"));
+    CHECK_THAT(block, Contains("Texture_1") && !Contains("Clear"));
+    const auto several = exported("union { box { 0, 2 " + red +
+                                  " } box { -2, -0.1 pigment { rgb 0.4 } } " + interior + " }\n");
+    CHECK_THAT(several.err,
+               Contains("warning: s.scene:3: of 'box'") && Contains("get the texture"));
+}
+
 TEST_CASE("what is nowhere to be seen is not exported", "[export]") {
     const Program program;
     program.write("s.scene", head +
