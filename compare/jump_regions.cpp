@@ -30,11 +30,14 @@ public:
     ExactPicture(const tracer::RenderScene& scene, const tracer::Options& options)
         : scene_(scene), options_(options), tree_(scene, options, statistics_) {}
 
-    /// `place` in pixels from the top left.
+    /// In linear light, as a rendered picture; `place` in pixels from the top left.
     Rgb at(const Vec2& place) {
         const auto ray = tracer::camera_ray(scene_.source.camera, place.x, place.y, options_.width,
                                             options_.height);
-        return tree_.radiance(ray, 0);
+        const Rgb numbers = tree_.radiance(ray, 0);
+        const auto& space = scene_.source.settings.working_space;
+        if (space.is_linear()) return numbers;
+        return {space.to_light(numbers[0]), space.to_light(numbers[1]), space.to_light(numbers[2])};
     }
     /// Of the latest place: whether a medium lies behind the first surface.
     bool is_inside() const { return tree_.first_hit.medium != tracer::outside; }

@@ -11,9 +11,12 @@ using namespace meniscus;
 namespace {
 
 /// 40 x 40 pixels over [-2, 2] x [-2, 2].
-compare::Regions regions(const std::string& objects) {
-    const auto scene = tracer::compile(lang::interpret_text("test.scene", R"(#version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 1e-4 }
+compare::Regions regions(const std::string& objects, const std::string& assumed_gamma = "1") {
+    const auto scene = tracer::compile(lang::interpret_text("test.scene",
+                                                            R"(#version 3.7;
+global_settings { max_trace_level 10 adc_bailout 1e-4 assumed_gamma )" +
+                                                                assumed_gamma +
+                                                                R"( }
 camera { orthographic location <0, 0, -5> look_at 0 right 4*x up 4*y }
 background { color rgb 0.5 }
 )" + objects,
@@ -51,6 +54,15 @@ TEST_CASE("glass that is as bright as its surroundings has an inside and no edge
     CHECK(is(seen, inside, 20, 20));
     CHECK(is(seen, outside, 2, 2));
     CHECK(std::ranges::count(seen.parts[edges].pixels, true) == 0);
+}
+
+TEST_CASE("in numbers that are not light only what jumps is an edge", "[compare]") {
+    const std::string gamma = GENERATE("2.2", "srgb");
+    const auto seen = regions(
+        "sphere { 0, 1 pigment { color rgb 0.8 } finish { ambient 1 diffuse 0 } }\n", gamma);
+    CHECK_FALSE(is(seen, edges, 2, 2));
+    CHECK_FALSE(is(seen, edges, 20, 20));
+    CHECK(is(seen, edges, 10, 20));
 }
 
 TEST_CASE("what changes fast is no edge", "[compare]") {
