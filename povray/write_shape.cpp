@@ -1,5 +1,6 @@
 #include "povray/write_shape.hpp"
 
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -56,6 +57,21 @@ std::string head(const Polygon& s) {
 
 std::string head(const Lathe& s) { return lathe_head(s); }
 
+/// A torus that closes over its hole: POV-Ray also has the sheet within, where the ring reaches
+/// over the axis. The ball over that sheet lies in the ring and touches its skin at the two tips
+/// alone.
+bool write_closed_torus(Writer& writer, const Shape& shape, const std::vector<std::string>& lines) {
+    const auto* torus = std::get_if<Torus>(&shape);
+    if (!torus || torus->minor <= torus->major) return false;
+    const double radius = std::sqrt((torus->minor - torus->major) * (torus->minor + torus->major));
+    writer.open("merge");
+    writer.line("torus {{ {} }}", head(*torus));
+    writer.line("sphere {{ <0, 0, 0>, {} }}  // takes away the sheet within", length(radius));
+    for (const auto& line : lines) writer.line("{}", line);
+    writer.close();
+    return true;
+}
+
 std::string_view word(const Shape& shape) {
     const auto* triangle = std::get_if<Triangle>(&shape);
     return triangle && triangle->smooth ? "smooth_triangle" : keyword(shape);
@@ -80,6 +96,7 @@ void write_shape(Writer& writer, const scene::Object& object, std::span<const st
     if (object.inverse) lines.emplace_back("inverse");
     lines.insert(lines.end(), words.begin(), words.end());
 
+    if (write_closed_torus(writer, object.shape, lines)) return;
     if (const auto* mesh = std::get_if<Mesh>(&object.shape)) {
         writer.open("mesh2");
         write_triangles(writer, *mesh->triangles);

@@ -1,6 +1,7 @@
 // Where Meniscus differs from POV-Ray on purpose: each scene in differences/ and the tables of
 // docs/povray-differences.md, against what is expected of both renderers by a formula.
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -53,6 +54,28 @@ double ramp_behind_slab(double air, double glass) {
     return (air * steepness + glass * std::tan(inside) + 4.0) / 8.0;
 }
 
+/// torus.pov, in the plane of the ring's circle: where on the wall the pixel's ray ends that
+/// crosses these circles about the axis in turn, each time into another index.
+double ramp_behind_circles(const std::vector<std::array<double, 2>>& radii_and_iors) {
+    double x = (60.5 / width - 0.5) * 4.0 / 3.0, z = -5.0, dx = 0.0, dz = 1.0, ior = 1.0;
+    for (const auto& [radius, next] : radii_and_iors) {
+        const double along = x * dx + z * dz, within = x * x + z * z - radius * radius;
+        const double root = std::sqrt(along * along - within);
+        const bool is_outside = within > 1e-9;
+        const double way = is_outside ? -along - root : -along + root;
+        x += way * dx, z += way * dz;
+        // The normal against the ray; Snell's law for the part across it.
+        const double sign = is_outside ? 1.0 : -1.0;
+        const double nx = sign * x / radius, nz = sign * z / radius;
+        const double cosine = -(dx * nx + dz * nz), ratio = ior / next;
+        const double across = std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine));
+        dx = ratio * dx + (ratio * cosine - across) * nx;
+        dz = ratio * dz + (ratio * cosine - across) * nz;
+        ior = next;
+    }
+    return (x + (4.0 - z) * dx / dz + 4.0) / 8.0;
+}
+
 /// hair.scene: beside the slab the sky is 1; in front of it, what two faces reflect and let
 /// through.
 double slab_before_sky() {
@@ -89,6 +112,10 @@ const std::map<std::string, Rendered> rendered = {
     // Half of what a white half-space sends.
     {"radiosity.pov", {{0.5, 0.005}, 0.0}},
     {"thin_pane.pov", {through({{1.0, 1.5}}), through({{1.0, 1.5}, {1.5, 1.0}})}},
+    // The sheet within is met at 1 - 0.6 from the axis, on the way in and on the way out.
+    {"torus.pov",
+     {ramp_behind_circles({{1.6, 1.3}, {0.4, 1.0}, {0.4, 1.3}, {1.6, 1.0}}),
+      ramp_behind_circles({{1.6, 1.3}, {1.6, 1.0}})}},
     // A film of air where the slabs overlap, or a slab of glass.
     {"union.pov", {ramp_behind_slab(7.4, 1.6), ramp_behind_slab(7.0, 2.0)}},
 };
