@@ -112,6 +112,7 @@ Json format_json(const tracer::RenderScene& scene, const Names& names, const Pix
             {"tree", tracer::name(trace.tree)},
             {"interior", tracer::name(trace.interior)},
             {"color", to_json(trace.color)},
+            {"light", to_json(trace.light)},
             {"leaks", trace.leaks},
             {"segments", std::move(segments)}};
 }

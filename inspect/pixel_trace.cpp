@@ -45,6 +45,8 @@ PixelTrace trace_ray(const tracer::RenderScene& scene, const Names& names,
     trace.tree = tracer::implied_tree(options);
     trace.interior = options.interior;
     trace.color = ray_tree.radiance(ray, tracer::mix(options.seed));
+    const auto& space = scene.source.settings.working_space;
+    for (int i = 0; i < 3; ++i) trace.light[i] = space.to_light(trace.color[i]);
     trace.leaks = statistics.leaks;
     for (const TreeNode& node : record) {
         trace.segments.push_back(

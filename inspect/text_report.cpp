@@ -153,7 +153,9 @@ std::string format_text(const tracer::RenderScene& scene, const Names& names,
             out += indentation + line + '\n';
         }
     }
-    out += fmt::format("\ncolour {}, linear\n", text(trace.color));
+    out += fmt::format("\ncolour {}, linear\n", text(trace.light));
+    if (!scene.source.settings.working_space.is_linear())
+        out += fmt::format("  of {}, which by assumed_gamma is no light\n", text(trace.color));
     if (trace.leaks > 0) out += fmt::format("leaks {}\n", trace.leaks);
     return out;
 }

@@ -57,6 +57,19 @@ TEST_CASE("inspect shows the colour that render gives the pixel", "[inspect]") {
     CHECK(picture.pixel(3, 2)[0] == Approx(json.at("color").at(0).get<double>()));
 }
 
+TEST_CASE("inspect shows light where the scene's numbers are none", "[inspect]") {
+    const Program program;
+    program.write("gray.scene",
+                  "#version 3.7;\nglobal_settings { assumed_gamma 2 }\n"
+                  "camera { location -5*z look_at 0 }\nbackground { rgb 0.5 }\n");
+    const auto json = Json::parse(program.run("inspect gray.scene 1 1 --json").out);
+    CHECK(json.at("color").at(0) == 0.5);
+    CHECK(json.at("light").at(0) == 0.25);
+    CHECK(program.run("inspect gray.scene 1 1")
+              .out.find("colour <0.25, 0.25, 0.25>, linear\n"
+                        "  of <0.5, 0.5, 0.5>") != std::string::npos);
+}
+
 TEST_CASE("inspect and render agree on the model, films and no priorities", "[inspect]") {
     const Program program;
     program.write("water.scene", glass_of_water);
