@@ -55,6 +55,7 @@ bool read_block(Cursor& cursor, FinishItem& item) {
     if (block->word == "reflection") {
         read_reflection_block(inner, item.finish.reflection);
     } else if (block->word == "irid") {
+        cursor.session().warn(block->word_span, "'irid' is read, but does nothing here");
         item.finish.irid = true;
         inner.skip_rest();
     } else if (block->word == "subsurface") {
@@ -65,6 +66,13 @@ bool read_block(Cursor& cursor, FinishItem& item) {
     }
     cursor.advance();
     return true;
+}
+
+/// The second number of `diffuse`: light that thin surfaces let through to their far side.
+void read_far_side(Cursor& cursor) {
+    const auto span = cursor.span();
+    if (cursor.number() != 0.0)
+        cursor.session().warn(span, "light from the far side of a surface is not supported here");
 }
 
 bool read_old_refraction(Cursor& cursor, FinishItem& item) {
@@ -111,7 +119,7 @@ FinishItem read_finish(Cursor& cursor, FinishItem item) {
         } else if (cursor.accept("diffuse")) {
             albedo.diffuse = cursor.accept("albedo");
             finish.diffuse = cursor.number();
-            if (cursor.expression()) cursor.number();  // of the far side of thin surfaces
+            if (cursor.expression()) read_far_side(cursor);
         } else if (cursor.accept("brilliance")) {
             finish.brilliance = cursor.number();
         } else if (cursor.accept("phong")) {

@@ -61,6 +61,17 @@ TEST_CASE("patterns of lists and maps", "[lang]") {
         std::get<scene::PigmentMap>(nested.map).entries[1].pigment->pattern));
 }
 
+TEST_CASE("what of a finish is not rendered is warned of", "[lang]") {
+    const auto warnings = [](const std::string& words) {
+        return interpret("#version 3.7; sphere { 0, 1 finish { " + words + " } }").warnings;
+    };
+    CHECK(warnings("irid { 0.3 thickness 0.2 }").at(0).text ==
+          "'irid' is read, but does nothing here");
+    CHECK(warnings("diffuse 0.6, 0.3").size() == 1);
+    CHECK(warnings("diffuse 0.6, 0").empty());
+    CHECK(warnings("diffuse 0.6").empty());
+}
+
 TEST_CASE("finishes", "[lang]") {
     const auto plain = finish("");
     CHECK(plain.ambient == scene::Rgb{0.1});

@@ -96,6 +96,7 @@ const std::map<std::string, Rendered> rendered = {
     {"far.pov", {0.0, 1.0}},
     // The edge is at 100000 or 100000.003, the pixel's centre between them.
     {"far_mesh.pov", {0.0, 1.0}},
+    {"far_side.pov", {0.5, 0.0}},
     {"hair.scene", {slab_before_sky(), 1.0}},
     // The sine is 1/1.33000002: 1.33 lets the light out, 1.33000004 reflects it.
     {"ior_precision.pov", {0.0, 1.0}},
