@@ -17,9 +17,9 @@ inline void Kernel::add_camera_rays() {
     using Stack = RayStack;
     // Some more than a step takes: to add them has a cost of its own.
     constexpr std::size_t wanted = 4 * lanes;
-    RayStack& stack = stacks_.rays;
     const Camera* const camera = host_.camera();
-    if (!camera) return host_.more_rays(stack, wanted);
+    if (!camera) return host_.more_rays(stacks_.in_the_open(), wanted);
+    RayStack& stack = stacks_.bin_of(camera->start.inside);
     static_assert(wanted <= FilmPoints::most);
     const std::size_t count = host_.more_points(points_, wanted);
     const std::size_t first = stack.grow(count);

@@ -104,7 +104,7 @@ HWY_INLINE void Kernel::split(Batch& batch) {
     child.weight = choice.reflect_weight;
     child.code = code | U(RayCode::reflected);
     if (has_key(false)) child.key = program_.sampled ? choice.reflect_key : batch.key;
-    push(stacks_.rays, batch, reflects, child, batch.before, false);
+    push(*batch.stack, batch, reflects, child, batch.before, false);
 
     const M transmits = choice.transmits & may_go_on & (floor <= choice.transmit_weight);
     const M bends = F(1e-10) * n2 <= abs(n1 - n2);
@@ -114,7 +114,7 @@ HWY_INLINE void Kernel::split(Batch& batch) {
     child.weight = choice.transmit_weight;
     child.code = code | only(but_not(transmits, bends), U(RayCode::straight));
     if (has_key(false)) child.key = program_.sampled ? choice.transmit_key : batch.key;
-    push(stacks_.rays, batch, transmits, child, batch.after, false);
+    push_by_place(batch, transmits, child, batch.after);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -134,12 +134,14 @@ private:
     HWY_INLINE FacePoint ask_face(const Solid& solid, M which, const F3& point, F face);
     HWY_INLINE void add_small_spheres(const Batch& batch, M met, Round& round,
                                       F& owner_magnitude) const;
-    HWY_INLINE void pass(Batch& batch, RayStack& stack, M which);
+    HWY_INLINE void pass(Batch& batch, M which);
     HWY_INLINE void split(Batch& batch);
     HWY_INLINE void paint(const Batch& batch);
     HWY_INLINE void dress(const Batch& batch);
     HWY_INLINE void push(RayStack& stack, const Batch& batch, M which, const Child& child,
                          const List& list, bool is_shadow);
+    HWY_INLINE void push_by_place(const Batch& batch, M which, const Child& child,
+                                  const List& list);
     WaitingRay waiting(RayStack& stack, std::size_t at, bool is_shadow) const;
     HWY_INLINE void add_light(M which, U code, const F3& light);
     HWY_INLINE void add_light(M which, U code, const PixelLight& light);

@@ -8,7 +8,7 @@
 
 #include "geom/ray.hpp"
 #include "lanes/camera.hpp"
-#include "lanes/ray_stack.hpp"
+#include "lanes/stacks.hpp"
 
 namespace meniscus::lanes {
 

@@ -137,9 +137,4 @@ private:
     std::unique_ptr<std::uint64_t[]> words_;
 };
 
-/// Rays that see, and rays that go to lights: what they need differs.
-struct Stacks {
-    RayStack rays, shadows;
-};
-
 }  // namespace meniscus::lanes

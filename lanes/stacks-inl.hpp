@@ -91,6 +91,21 @@ HWY_INLINE void Kernel::push(RayStack& stack, const Batch& batch, M which, const
     stack.resize(at + packing.count());
 }
 
+/// The same for rays that see, to the bins of what they are in.
+HWY_INLINE void Kernel::push_by_place(const Batch& batch, M which, const Child& child,
+                                      const List& list) {
+    const std::size_t last = stacks_.bins.size() - 1;
+    for (std::size_t i = 0; i < last && any(which); ++i) {
+        M here = no_lanes();
+        for (int w = 0; w < program_.words; ++w)
+            here = here | shares(list.word[w], U(stacks_.places(i)[std::size_t(w)]));
+        here = here & which;
+        push(stacks_.bins[i], batch, here, child, list, false);
+        which = but_not(which, here);
+    }
+    push(stacks_.bins[last], batch, which, child, list, false);
+}
+
 inline WaitingRay Kernel::waiting(RayStack& stack, std::size_t at, bool is_shadow) const {
     using Stack = RayStack;
     WaitingRay ray;

@@ -29,9 +29,8 @@ Counts Kernel::run() {
             step(stacks_.shadows, true);
             continue;
         }
-        RayStack& rays = stacks_.rays;
-        if (rays.size() < lanes) add_camera_rays();
-        if (rays.size() > 0) {
+        if (stacks_.fullest().size() < lanes) add_camera_rays();
+        if (RayStack& rays = stacks_.fullest(); rays.size() > 0) {
             step(rays, false);
         } else if (stacks_.shadows.size() > 0) {
             step(stacks_.shadows, true);
@@ -61,7 +60,7 @@ void Kernel::step(RayStack& stack, bool is_shadow) {
     put_on_faces(batch);
 
     const M passes = is_shadow ? batch.nothing | batch.glass : batch.nothing;
-    if (any(passes)) pass(batch, stack, passes);
+    if (any(passes)) pass(batch, passes);
     if (!is_shadow && any(batch.glass)) split(batch);
     if (any(batch.painted)) paint(batch);
     if (any(batch.dressed)) dress(batch);
@@ -133,7 +132,7 @@ HWY_INLINE void Kernel::tell_surfaces(Batch& batch) {
 }
 
 /// Straight on, where nothing is, and for light that goes to a lamp.
-HWY_INLINE void Kernel::pass(Batch& batch, RayStack& stack, M which) {
+HWY_INLINE void Kernel::pass(Batch& batch, M which) {
     Child child;
     child.direction = batch.rays.world.direction;
     if (has_colour(batch.is_shadow)) child.light = batch.throughput;
@@ -146,7 +145,11 @@ HWY_INLINE void Kernel::pass(Batch& batch, RayStack& stack, M which) {
     if (has_key(batch.is_shadow)) child.key = batch.key;
     child.code = (batch.code & U(~RayCode::level_mask)) | batch.level;
     if (!batch.is_shadow) child.code = child.code | U(RayCode::straight);
-    push(stack, batch, which, child, batch.after, batch.is_shadow);
+    if (batch.is_shadow) {
+        push(stacks_.shadows, batch, which, child, batch.after, true);
+    } else {
+        push_by_place(batch, which, child, batch.after);
+    }
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -20,6 +20,7 @@ LaneHost::LaneHost(const RenderScene& scene, const Options& options, const lanes
       program_(program),
       tree_(tree),
       statistics_(statistics),
+      stacks_(program),
       rank_of_part_(scene.parts.size(), lanes::no_rank) {
     for (std::size_t rank = 0; rank < program.members.size(); ++rank)
         rank_of_part_[std::size_t(program.members[rank].part)] = int(rank);
@@ -220,7 +221,7 @@ Vec3 LaneHost::shade(const lanes::Surface& surface, lanes::Stacks& stacks) {
         if (surface.level >= program_.most_levels || ray.weight < program_.least_weight) return;
         if (straight) ray.code |= lanes::RayCode::straight;
         if (!behind) ray.code |= lanes::RayCode::reflected;
-        stacks.rays.push(ray);
+        stacks.bin_of(ray.inside).push(ray);
     };
     const auto back = [&] { return mirrored(direction, surface.normal, shading_.normal); };
     const std::uint64_t key = surface.ray.key;

@@ -37,7 +37,7 @@ public:
 
     void run() {
         sums.assign(4 * std::size_t(options_.width) * std::size_t(options_.height), 0);
-        lanes::Stacks stacks;
+        lanes::Stacks stacks(program_);
         handed_over = lanes::run(program_, *this, stacks, sums.data()).handed_over;
     }
 

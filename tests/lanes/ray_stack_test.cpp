@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lanes/stacks.hpp"
+
 using namespace meniscus::lanes;
 
 TEST_CASE("a stack of rays grows and keeps what it holds", "[lanes]") {
@@ -25,4 +27,35 @@ TEST_CASE("a stack of rays grows and keeps what it holds", "[lanes]") {
         CHECK(RayCode::birth(stack.word(RayStack::code)[i]) <= 1.01 * (1.0 + double(i)));
         CHECK(stack.word(RayStack::Field(RayStack::inside + 1))[i] == i << 20);
     }
+}
+
+TEST_CASE("rays wait by what they are in", "[lanes]") {
+    Program program;
+    program.members.resize(4);  // water, two bubbles, glass
+    program.members[1].in_group = program.members[2].in_group = true;
+    program.groups.resize(1);
+    Stacks stacks(program);
+    const auto bin_of = [&](std::uint64_t inside) { return &stacks.bin_of(Places{inside}); };
+    CHECK(bin_of(0) == &stacks.in_the_open());
+    CHECK(bin_of(1) == bin_of(2));
+    CHECK(bin_of(1) == bin_of(1 | 2 | 4));
+    CHECK(bin_of(1) != bin_of(0));
+    CHECK(bin_of(8) == bin_of(1 | 8));
+    CHECK(bin_of(8) != bin_of(1));
+    CHECK(bin_of(8) != bin_of(0));
+
+    stacks.bin_of(Places{8}).push({});
+    CHECK(&stacks.fullest() == bin_of(8));
+    stacks.in_the_open().push({});
+    stacks.in_the_open().push({});
+    CHECK(&stacks.fullest() == bin_of(0));
+}
+
+TEST_CASE("without small spheres there are two bins", "[lanes]") {
+    Program program;
+    program.members.resize(2);
+    Stacks stacks(program);
+    CHECK(stacks.bins.size() == 2);
+    CHECK(&stacks.bin_of(Places{1}) == &stacks.bin_of(Places{2}));
+    CHECK(&stacks.bin_of(Places{1}) != &stacks.in_the_open());
 }
