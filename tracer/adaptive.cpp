@@ -1,6 +1,7 @@
 #include "tracer/adaptive.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace meniscus::tracer {
@@ -15,8 +16,10 @@ constexpr double left_by_doubling = 0.38;
 std::vector<bool> choose_pixels(std::span<const PixelNeed> pixels, double allowed) {
     std::vector<std::size_t> order(pixels.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto worth = [&](std::size_t i) { return pixels[i].squared_error / pixels[i].cost; };
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return worth(a) > worth(b); });
+    std::vector<double> worth;
+    worth.reserve(pixels.size());
+    for (const PixelNeed& pixel : pixels) worth.push_back(pixel.squared_error / pixel.cost);
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](auto i) { return worth[i]; });
 
     double sum = 0.0;
     for (const PixelNeed& pixel : pixels) sum += pixel.squared_error;

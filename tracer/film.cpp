@@ -77,14 +77,19 @@ std::uint64_t Film::samples() const {
 }
 
 std::vector<double> Film::squared_errors() const {
-    std::vector<double> result;
+    std::vector<double> own, result;
+    own.reserve(pixel_count());
     result.reserve(pixel_count());
-    for (int y = region_.y0; y < region_.y1; ++y) {
-        for (int x = region_.x0; x < region_.x1; ++x) {
-            double sum = at(x, y).squared_error(), weight = 1.0;
-            for (int v = std::max(y - 2, region_.y0); v < std::min(y + 3, region_.y1); ++v) {
-                for (int u = std::max(x - 2, region_.x0); u < std::min(x + 3, region_.x1); ++u) {
-                    sum += at(u, v).squared_error();
+    for (std::size_t i = 0; i < pixel_count(); ++i) own.push_back(pixel(i).squared_error());
+    for (int y = 0; y < height(); ++y) {
+        for (int x = 0; x < width(); ++x) {
+            const auto at = [&](int u, int v) {
+                return std::size_t(v) * std::size_t(width()) + std::size_t(u);
+            };
+            double sum = own[at(x, y)], weight = 1.0;
+            for (int v = std::max(y - 2, 0); v < std::min(y + 3, height()); ++v) {
+                for (int u = std::max(x - 2, 0); u < std::min(x + 3, width()); ++u) {
+                    sum += own[at(u, v)];
                     weight += 1.0;
                 }
             }
