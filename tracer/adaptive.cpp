@@ -1,8 +1,6 @@
 #include "tracer/adaptive.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace meniscus::tracer {
 namespace {
@@ -14,17 +12,22 @@ constexpr double left_by_doubling = 0.38;
 }  // namespace
 
 std::vector<bool> choose_pixels(std::span<const PixelNeed> pixels, double allowed) {
-    std::vector<std::size_t> order(pixels.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::vector<double> worth;
-    worth.reserve(pixels.size());
-    for (const PixelNeed& pixel : pixels) worth.push_back(pixel.squared_error / pixel.cost);
-    std::ranges::stable_sort(order, std::ranges::greater{}, [&](auto i) { return worth[i]; });
+    struct Place {
+        double worth;
+        std::size_t pixel;
+    };
+    std::vector<Place> order;
+    order.reserve(pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        order.push_back({pixels[i].squared_error / pixels[i].cost, i});
+    std::ranges::sort(order, [](const Place& a, const Place& b) {
+        return a.worth != b.worth ? a.worth > b.worth : a.pixel < b.pixel;
+    });
 
     double sum = 0.0;
     for (const PixelNeed& pixel : pixels) sum += pixel.squared_error;
     std::vector<bool> chosen(pixels.size(), false);
-    for (const std::size_t i : order) {
+    for (const auto& [worth, i] : order) {
         if (sum <= allowed || pixels[i].squared_error <= 0.0) break;
         if (!pixels[i].may_grow) continue;
         chosen[i] = true;

@@ -77,23 +77,22 @@ std::uint64_t Film::samples() const {
 }
 
 std::vector<double> Film::squared_errors() const {
+    const auto columns = std::size_t(width()), rows = std::size_t(height());
     std::vector<double> own, result;
     own.reserve(pixel_count());
     result.reserve(pixel_count());
     for (std::size_t i = 0; i < pixel_count(); ++i) own.push_back(pixel(i).squared_error());
-    for (int y = 0; y < height(); ++y) {
-        for (int x = 0; x < width(); ++x) {
-            const auto at = [&](int u, int v) {
-                return std::size_t(v) * std::size_t(width()) + std::size_t(u);
-            };
-            double sum = own[at(x, y)], weight = 1.0;
-            for (int v = std::max(y - 2, 0); v < std::min(y + 3, height()); ++v) {
-                for (int u = std::max(x - 2, 0); u < std::min(x + 3, width()); ++u) {
-                    sum += own[at(u, v)];
-                    weight += 1.0;
-                }
-            }
-            result.push_back(sum / weight);
+    std::vector<double> sums(columns);  // of the neighbours above and below
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::size_t v0 = y - std::min<std::size_t>(y, 2), v1 = std::min(y + 3, rows);
+        std::ranges::fill(sums, 0.0);
+        for (std::size_t v = v0; v < v1; ++v)
+            for (std::size_t x = 0; x < columns; ++x) sums[x] += own[v * columns + x];
+        for (std::size_t x = 0; x < columns; ++x) {
+            const std::size_t u0 = x - std::min<std::size_t>(x, 2), u1 = std::min(x + 3, columns);
+            double sum = own[y * columns + x];
+            for (std::size_t u = u0; u < u1; ++u) sum += sums[u];
+            result.push_back(sum / double(1 + (v1 - v0) * (u1 - u0)));
         }
     }
     return result;
