@@ -14,40 +14,35 @@
 HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
-/// What chance makes of two branches: which are followed, and how their light grows for it.
+/// Two branches: which are followed, what share of the light and of the weight each has, and its
+/// key.
 struct Choice {
     M reflects, transmits;
-    F reflect_weight, transmit_weight;
+    F reflect_share, transmit_share;
     U reflect_key, transmit_key;
-    F reflect_gain, transmit_gain;
 };
 
-/// `choose` of lanes/chance.hpp: both branches while the weight is high, then one by chance.
-HWY_INLINE void choose(Choice& choice, M splits, F reflectance, F transmittance, F weight, U key) {
-    const F sum = reflectance + transmittance;
-    const M one =
-        splits & choice.reflects & choice.transmits & (weight < F(split_above)) & (F(0.0) < sum);
+/// `choose` of lanes/chance.hpp: both branches while the weight is high, then one by chance, which
+/// has all of the light.
+HWY_INLINE void choose(Choice& choice, F reflectance, F weight, U key) {
+    const M one = choice.reflects & choice.transmits & (weight < F(split_above));
     if (!any(one)) return;
-    const F p = reflectance / sum;
-    const M mirror = chance(key, 3) < p;
+    const M mirror = chance(key, 3) < reflectance;
     choice.transmits = but_not(choice.transmits, one & mirror);
     choice.reflects = but_not(choice.reflects, but_not(one, mirror));
-    choice.reflect_gain = select(one, F(1.0) / p, F(1.0));
-    choice.transmit_gain = select(one, F(1.0) / (F(1.0) - p), F(1.0));
-    choice.reflect_weight = choice.reflect_weight * choice.reflect_gain;
-    choice.transmit_weight = choice.transmit_weight * choice.transmit_gain;
+    choice.reflect_share = select(one, F(1.0), choice.reflect_share);
+    choice.transmit_share = select(one, F(1.0), choice.transmit_share);
 }
 
 /// `survive` of lanes/chance.hpp: rays of very low weight go on by chance.
-HWY_INLINE void survive(M& follows, F& weight, F& gain, U key) {
+HWY_INLINE void survive(M& follows, F& share, F parent_weight, U key) {
+    const F weight = parent_weight * share;
     const M faint = follows & (weight < F(roulette_below));
     if (!any(faint)) return;
     const F survival = max(weight / F(roulette_below), F(0.05));
     const M survives = chance(key, 4) < survival;
     follows = but_not(follows, but_not(faint, survives));
-    const F more = select(faint & survives, F(1.0) / survival, F(1.0));
-    weight = weight * more;
-    gain = gain * more;
+    share = select(faint & survives, share * (F(1.0) / survival), share);
 }
 
 /// Exact Fresnel reflection and refraction.
@@ -77,16 +72,14 @@ HWY_INLINE void Kernel::split(Batch& batch) {
     choice.reflects = splits & (F(0.0) < reflectance);
     choice.transmits = but_not(
         splits & (F(program_.whitted ? program_.least_weight : 0.0) < transmittance), total);
-    choice.reflect_weight = batch.weight * reflectance;
-    choice.transmit_weight = batch.weight * transmittance;
-    choice.reflect_gain = choice.transmit_gain = F(1.0);
+    choice.reflect_share = reflectance;
+    choice.transmit_share = transmittance;
     if (program_.sampled) {
         choice.reflect_key = reflected_key(batch.key);
         choice.transmit_key = transmitted_key(batch.key);
-        choose(choice, splits, reflectance, transmittance, batch.weight, batch.key);
-        survive(choice.reflects, choice.reflect_weight, choice.reflect_gain, choice.reflect_key);
-        survive(choice.transmits, choice.transmit_weight, choice.transmit_gain,
-                choice.transmit_key);
+        choose(choice, reflectance, batch.weight, batch.key);
+        survive(choice.reflects, choice.reflect_share, batch.weight, choice.reflect_key);
+        survive(choice.transmits, choice.transmit_share, batch.weight, choice.transmit_key);
     }
     counts_.reflected += count(choice.reflects);
     counts_.refracted += count(choice.transmits);
@@ -98,20 +91,20 @@ HWY_INLINE void Kernel::split(Batch& batch) {
     child.way = F(0.0);
     const U code = (batch.code & U(~(RayCode::level_mask | RayCode::straight))) | batch.level;
 
-    const M reflects = choice.reflects & may_go_on & (floor <= choice.reflect_weight);
+    child.weight = batch.weight * choice.reflect_share;
+    const M reflects = choice.reflects & may_go_on & (floor <= child.weight);
     child.direction = unit(direction + F(2.0) * cosine * n);
-    if (has_colour(false)) child.light = (choice.reflect_gain * reflectance) * batch.throughput;
-    child.weight = choice.reflect_weight;
+    if (has_colour(false)) child.light = choice.reflect_share * batch.throughput;
     child.code = code | U(RayCode::reflected);
     if (has_key(false)) child.key = program_.sampled ? choice.reflect_key : batch.key;
     push(*batch.stack, batch, reflects, child, batch.before, false);
 
-    const M transmits = choice.transmits & may_go_on & (floor <= choice.transmit_weight);
+    child.weight = batch.weight * choice.transmit_share;
+    const M transmits = choice.transmits & may_go_on & (floor <= child.weight);
     const M bends = F(1e-10) * n2 <= abs(n1 - n2);
     child.direction =
         select(bends, unit((n1 * per_n2) * direction + ((along - beyond) * per_n2) * n), direction);
-    if (has_colour(false)) child.light = (choice.transmit_gain * transmittance) * batch.throughput;
-    child.weight = choice.transmit_weight;
+    if (has_colour(false)) child.light = choice.transmit_share * batch.throughput;
     child.code = code | only(but_not(transmits, bends), U(RayCode::straight));
     if (has_key(false)) child.key = program_.sampled ? choice.transmit_key : batch.key;
     push_by_place(batch, transmits, child, batch.after);
