@@ -268,8 +268,12 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
         }
     }
     std::ranges::stable_sort(program.cheap_first, {}, [&](int i) {
-        const lanes::Kind kind = program.solids[std::size_t(i)].kind;
-        return kind == lanes::Kind::lathe ? 2 : lanes::is_costly(kind) ? 1 : 0;
+        // Those that are asked anyway come first: the others need not be where these are nearer.
+        const lanes::Solid& solid = program.solids[std::size_t(i)];
+        if (solid.is_large &&
+            (solid.way == lanes::Way::cup || solid.way == lanes::Way::stepped_lathe))
+            return 0;
+        return solid.kind == lanes::Kind::lathe ? 2 : lanes::is_costly(solid.kind) ? 1 : 0;
     });
     program.attenuates = scene.has_attenuation;
     make_paints(scene, program);
