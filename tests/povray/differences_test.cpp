@@ -103,6 +103,8 @@ const std::map<std::string, Rendered> rendered = {
     // POV-Ray's formula for a film seen and lit from in front: 2 x 0.25 is its thickness twice
     // over.
     {"irid.pov", {0.5 * (1.0 + 0.5 * std::cos(std::numbers::pi / 0.7)), 0.5}},
+    // Nothing reflects; POV-Ray is out of levels.
+    {"levels.scene", {0.0, 1.0}},
     {"near_shadow.pov", {1.0, 0.0}},
     {"nested_fresnel.pov",
      {through({{1.0, 1.5}, {1.5, 2.0}, {1.5, 1.0}}),
