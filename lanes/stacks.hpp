@@ -22,15 +22,22 @@ inline bool share(const Places& a, const Places& b) {
 /// the sky met. In which bin a ray waits changes nothing but that.
 class Stacks {
 public:
+    /// Bins for the strongest member and for others that are stronger than all small spheres, if
+    /// there are some; for all others; and for the open.
     explicit Stacks(const Program& program) {
-        Places members{}, hiding{};  // the latter: stronger than all small spheres
+        Places members{}, hiding{};
         for (std::size_t rank = 0; rank < program.members.size(); ++rank) {
             const std::uint64_t bit = 1ull << (rank % 64);
             members[rank / 64] |= bit;
-            hiding[rank / 64] |= bit;
-            if (program.members[rank].in_group) hiding = {};
+            if (program.members[rank].in_group) {
+                hiding = {};
+            } else if (rank + 1 < program.members.size()) {
+                hiding[rank / 64] |= bit;
+            } else if (!program.groups.empty()) {
+                places_.emplace_back()[rank / 64] = bit;
+            }
         }
-        if (!program.groups.empty()) places_.push_back(hiding);
+        if (!program.groups.empty() && hiding != Places{}) places_.push_back(hiding);
         places_.push_back(members);
         bins.resize(places_.size() + 1);
     }
