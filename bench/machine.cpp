@@ -25,6 +25,10 @@ std::string cpu_info(std::string_view key) {
 std::string machine_name() {
     auto name = cpu_info("model name");
     if (name.empty()) name = "unknown processor";
+    // Names may hide what a virtual machine runs on; these tell it.
+    const auto family = cpu_info("cpu family"), model = cpu_info("model\t");
+    if (!family.empty() && !model.empty())
+        name += fmt::format(" (family {}, model {})", family, model);
     const auto flags = ' ' + cpu_info("flags") + ' ';
     const auto knows = [&](const char* flag) { return flags.find(flag) != flags.npos; };
     const char* vectors = knows(" avx512f ") ? ", AVX-512" : knows(" avx2 ") ? ", AVX2" : "";

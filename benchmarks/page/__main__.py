@@ -10,6 +10,7 @@ import paper_table
 import render
 import ring
 import scaling
+import segments
 import shells
 import skipping
 from store import ROOT, Store
@@ -57,6 +58,7 @@ def main():
 
     page = head(store, options.quick, "scripts/benchmarks --quick" if options.quick else "scripts/benchmarks")
     page += error_curves.section(store, pictures, options.quick, meshes)
+    page += segments.section(store, options.quick)
     page += paper_table.section(store, options.quick)
     page += scaling.section(store, pictures, options.quick, meshes)
     page += shells.section(store, options.quick, meshes)
