@@ -103,6 +103,8 @@ const std::map<std::string, Rendered> rendered = {
     // POV-Ray's formula for a film seen and lit from in front: 2 x 0.25 is its thickness twice
     // over.
     {"irid.pov", {0.5 * (1.0 + 0.5 * std::cos(std::numbers::pi / 0.7)), 0.5}},
+    // The wall is 0.95 from the axis, in front and behind.
+    {"lathe.pov", {{5.0 / 8.0, 1e-3}, (5.0 - 0.95) / 8.0}},
     // Nothing reflects; POV-Ray is out of levels.
     {"levels.scene", {0.0, 1.0}},
     {"near_shadow.pov", {1.0, 0.0}},
