@@ -54,9 +54,13 @@ std::string format_table(const Table& table) {
     out += "</tr></thead>\n<tbody>\n";
     for (const auto& row : table.rows) {
         out += "<tr>";
-        for (std::size_t i = 0; i < row.size(); ++i)
-            out += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row[i])
-                          : fmt::format("<td>{}</td>", row[i]);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool is_note = i + 1 == row.size() && row.size() < table.head.size();
+            out += i == 0    ? fmt::format("<th scope=\"row\">{}</th>", row[i])
+                   : is_note ? fmt::format("<td class=\"note\" colspan=\"{}\">{}</td>",
+                                           table.head.size() - i, row[i])
+                             : fmt::format("<td>{}</td>", row[i]);
+        }
         out += "</tr>\n";
     }
     return out + "</tbody></table></div>\n";

@@ -13,7 +13,8 @@ std::string base64(std::string_view bytes);
 /// For src and href: the bytes themselves.
 std::string data_uri(std::string_view media_type, std::string_view bytes);
 
-/// An HTML table; cells are markup, as escape() makes it. The first cell of each row is its head.
+/// An HTML table; cells are markup, as escape() makes it. The first cell of each row is its head;
+/// the last of one that is shorter than the table's head goes over all that are left.
 struct Table {
     std::string caption;
     std::vector<std::string> head;

@@ -24,9 +24,9 @@ std::string table(const Sweep& sweep) {
         table.rows.push_back({fmt::format("{:g}", row.gap), figure(row.film), figure(row.povray),
                               figure(row.meniscus), fmt::format("{:.3f}", row.povray_seconds),
                               fmt::format("{:.3f}", row.meniscus_seconds)});
-        if (!row.failure.empty()) table.rows.push_back({"", escape(row.failure), "", "", "", ""});
+        if (!row.failure.empty()) table.rows.push_back({"", escape(row.failure)});
         for (const auto& warning : row.warnings)
-            table.rows.push_back({"", "warning: " + escape(warning), "", "", "", ""});
+            table.rows.push_back({"", "warning: " + escape(warning)});
     }
     return format_table(table);
 }

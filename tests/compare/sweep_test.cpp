@@ -47,7 +47,8 @@ TEST_CASE("a width whose export warns is marked, in all forms", "[compare]") {
                Contains(",warnings\n") && Contains(",1,0.5,\"a <b>; c \"\"d\"\"\"\n"));
     CHECK_THAT(format_markdown(sweep()), Contains("| 0 \\* | 2.00e-02") && Contains("| 0.1 | ") &&
                                              Contains("\n\n\\* The export warns, as of 0: a <b>"));
-    CHECK_THAT(format_page(sweep(), ""), Contains("warning: a &lt;b&gt;"));
+    CHECK_THAT(format_page(sweep(), ""),
+               Contains("<td class=\"note\" colspan=\"5\">warning: a &lt;b&gt;"));
 }
 
 TEST_CASE("a plot shows what is there, and no gap of 0", "[compare]") {
