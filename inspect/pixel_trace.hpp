@@ -29,8 +29,8 @@ struct PixelTrace {
     tracer::Tree tree = tracer::Tree::whitted;
     tracer::InteriorMode interior = tracer::InteriorMode::sweep;
     std::vector<Segment> segments;  // each behind the one that led to it, depth first
-    scene::Rgb color{0.0};  // in the scene's numbers, as all that the segments have
-    scene::Rgb light{0.0};  // the same in linear light, as the picture has it
+    scene::Rgb color{0.0};          // in the scene's numbers, as all that the segments have
+    scene::Rgb light{0.0};          // the same in linear light, as the picture has it
     std::uint64_t leaks = 0;
 };
 
