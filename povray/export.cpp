@@ -25,6 +25,9 @@ void check_outside(const scene::Scene& scene) {
     }
 }
 
+/// In POV-Ray's units: above the rounding of places some 1e4 away, below the least of its hits.
+constexpr double sliver = 1e-7;
+
 /// Solids nearer than this to each other overlap by a hair or are cut by a film (plan.cpp).
 double least_slit(const tracer::RenderScene& scene, Model model, double hair) {
     return model == Model::plain ? 0.0 : std::min(hair, touching_distance(scene));
@@ -69,7 +72,8 @@ Exported export_scene(const scene::Scene& source, const ExportOptions& options) 
     writer.blank();
     write_surroundings(writer, source);
     const double hair = options.model == Model::gap ? options.gap : result.overlap;
-    for (std::string& warning : write_bodies(writer, scene, options.model, hair))
+    for (std::string& warning :
+         write_bodies(writer, scene, options.model, hair, sliver / result.scale))
         result.warnings.push_back(std::move(warning));
     if (options.model == Model::gap && hair > 0.0 && hair <= scene.contact_tolerance) {
         result.warnings.push_back(fmt::format(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "povray/apart.hpp"
+#include "povray/coincidence.hpp"
 #include "povray/flush.hpp"
 #include "povray/grow.hpp"
 
@@ -117,9 +118,26 @@ double growth(const Plan& plan, const Body& body, Model model, double hair) {
 }
 
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
-                            Model model, double hair, std::vector<std::string>& warnings) {
+                            Model model, double hair, double sliver,
+                            std::vector<std::string>& warnings) {
     std::vector<Cutter> result;
     if (model == Model::plain) return result;
+    // The films about opaque solids are above all bodies.
+    std::vector<int> films;
+    if (model == Model::gap) {
+        for (const int part : plan.filmed) {
+            if (comes_near(scene, body, part, hair + touching_distance(scene)))
+                films.push_back(part);
+        }
+    }
+    std::vector<int> all;
+    for (const int index : body.higher) {
+        const auto& parts = plan.bodies[std::size_t(index)].parts;
+        all.insert(all.end(), parts.begin(), parts.end());
+    }
+    all.insert(all.end(), films.begin(), films.end());
+    const auto apart = growth_apart(scene, all, sliver);
+    auto more = apart.begin();
     for (const int index : body.higher) {
         const Body& other = plan.bodies[std::size_t(index)];
         const bool is_film = model == Model::gap && !other.is_outside;
@@ -128,20 +146,15 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
                                                  : -hair * (first_depth + rank_step * body.rank);
         for (const int part : other.parts) {
             const auto& theirs = object_of(scene, part);
-            const Cutter cutter{grown(theirs, distance), is_film ? clear_skin : theirs.texture, {}};
-            result.push_back(cutter);
+            result.push_back(
+                {grown(theirs, distance + *more++), is_film ? clear_skin : theirs.texture, {}});
             if (!is_film) extend(scene, body, part, distance, hair, result, warnings);
         }
         if (model == Model::contact && !other.is_outside)
             take_skins(scene, body, other, hair, result);
     }
-    if (model == Model::gap) {
-        // The films about opaque solids are above all bodies.
-        for (const int part : plan.filmed) {
-            if (comes_near(scene, body, part, hair + touching_distance(scene)))
-                result.push_back({grown(object_of(scene, part), hair), clear_skin, {}});
-        }
-    }
+    for (const int part : films)
+        result.push_back({grown(object_of(scene, part), hair + *more++), clear_skin, {}});
     take_own_texture(scene, body, result, warnings);
     return result;
 }

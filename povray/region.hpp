@@ -25,8 +25,10 @@ double growth(const Plan& plan, const Body& body, Model model, double hair);
 
 /// What is above a body and overlaps or touches it: smaller by more than a hair in contact, larger
 /// by the gap for films, and more where an opaque solid touches it. Adds to `warnings` where a
-/// curved wall that both have in common leaves a skin.
+/// curved wall that both have in common leaves a skin. `sliver` keeps faces apart
+/// (coincidence.hpp).
 std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, const Body& body,
-                            Model model, double hair, std::vector<std::string>& warnings);
+                            Model model, double hair, double sliver,
+                            std::vector<std::string>& warnings);
 
 }  // namespace meniscus::povray

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "povray/coincidence.hpp"
 #include "povray/exactness.hpp"
 #include "povray/grow.hpp"
 #include "povray/plan.hpp"
@@ -20,20 +21,22 @@ using tracer::Part;
 
 class BodyWriter {
 public:
-    BodyWriter(Writer& writer, const tracer::RenderScene& scene, Model model, double hair)
+    BodyWriter(Writer& writer, const tracer::RenderScene& scene, Model model, double hair,
+               double sliver)
         : writer_(writer),
           scene_(scene),
           model_(model),
           hair_(hair),
+          sliver_(sliver),
           plan_(model == Model::plain ? make_plain_plan(scene) : make_plan(scene)) {}
 
     void write() {
         if (model_ != Model::plain) require_exact(scene_, plan_);
         warnings_ = doubts(scene_, plan_);
         for (const Body& body : plan_.bodies) {
-            cutters_.push_back(body.is_outside
-                                   ? std::vector<Cutter>{}
-                                   : cutters(scene_, plan_, body, model_, hair_, warnings_));
+            cutters_.push_back(
+                body.is_outside ? std::vector<Cutter>{}
+                                : cutters(scene_, plan_, body, model_, hair_, sliver_, warnings_));
         }
         name_textures();
         for (const int part : plan_.plain_parts) write_plain(part);
@@ -199,7 +202,9 @@ private:
                       const std::vector<std::string>& words) {
         const double distance = growth(plan_, body, model_, hair_);
         std::vector<scene::Object> parts;
-        for (const int part : body.parts) parts.push_back(grown(object(part), distance));
+        const auto apart = growth_apart(scene_, body.parts, sliver_);
+        for (std::size_t i = 0; i < apart.size(); ++i)
+            parts.push_back(grown(object(body.parts[i]), distance + apart[i]));
         const auto child_words = [&](std::size_t texture) {
             return with_skins ? skin(body, texture_name(texture)) : std::vector<std::string>{};
         };
@@ -261,7 +266,7 @@ private:
     Writer& writer_;
     const tracer::RenderScene& scene_;
     Model model_;
-    double hair_;
+    double hair_, sliver_;
     Plan plan_;
     std::vector<std::vector<Cutter>> cutters_;  // of each body
     std::vector<std::string> warnings_;
@@ -271,8 +276,8 @@ private:
 }  // namespace
 
 std::vector<std::string> write_bodies(Writer& writer, const tracer::RenderScene& scene, Model model,
-                                      double hair) {
-    BodyWriter bodies(writer, scene, model, hair);
+                                      double hair, double sliver) {
+    BodyWriter bodies(writer, scene, model, hair, sliver);
     bodies.write();
     return bodies.warnings();
 }
