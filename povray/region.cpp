@@ -42,8 +42,9 @@ bool comes_near(const tracer::RenderScene& scene, const Body& body, int part, do
     });
 }
 
-/// A cutter that ends flush with the body also cuts what lies behind that face: copies of it, a
-/// little smaller so that no two have a face in common, reach beyond.
+/// A cutter that ends flush with a part of the body also cuts what lies behind that face: copies of
+/// it, a little smaller so that no two have a face in common, reach beyond. Other parts may rightly
+/// be there.
 void extend(const tracer::RenderScene& scene, const Body& body, int part, double distance,
             double hair, std::vector<Cutter>& result, std::vector<std::string>& warnings) {
     const auto& theirs = object_of(scene, part);
@@ -52,7 +53,7 @@ void extend(const tracer::RenderScene& scene, const Body& body, int part, double
         const auto& own = scene.parts[std::size_t(mine)];
         const Flush flush = flush_faces(scene, scene.parts[std::size_t(part)], own);
         if (flush.flat.empty() && !flush.curved) continue;
-        const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture, {}};
+        const Cutter smaller{grown(theirs, distance - copy_step * hair), theirs.texture, {}, mine};
         for (const auto& normal : flush.flat) {
             result.push_back(smaller);
             auto& moved = result.back().object;
@@ -82,8 +83,10 @@ void take_skins(const tracer::RenderScene& scene, const Body& body, const Body& 
         if (!comes_near(scene, body, opaque, beyond)) continue;
         for (const int part : other.parts) {
             const auto& theirs = object_of(scene, part);
-            result.push_back({grown(theirs, beyond), theirs.texture,
-                              grown(object_of(scene, opaque), beyond + hair)});
+            result.push_back({grown(theirs, beyond),
+                              theirs.texture,
+                              grown(object_of(scene, opaque), beyond + hair),
+                              {}});
         }
     }
 }
@@ -147,14 +150,14 @@ std::vector<Cutter> cutters(const tracer::RenderScene& scene, const Plan& plan, 
         for (const int part : other.parts) {
             const auto& theirs = object_of(scene, part);
             result.push_back(
-                {grown(theirs, distance + *more++), is_film ? clear_skin : theirs.texture, {}});
+                {grown(theirs, distance + *more++), is_film ? clear_skin : theirs.texture, {}, {}});
             if (!is_film) extend(scene, body, part, distance, hair, result, warnings);
         }
         if (model == Model::contact && !other.is_outside)
             take_skins(scene, body, other, hair, result);
     }
     for (const int part : films)
-        result.push_back({grown(object_of(scene, part), hair + *more++), clear_skin, {}});
+        result.push_back({grown(object_of(scene, part), hair + *more++), clear_skin, {}, {}});
     take_own_texture(scene, body, result, warnings);
     return result;
 }

@@ -14,6 +14,7 @@ struct Cutter {
     scene::Object object;
     std::size_t texture;                  // of the scene, or `clear_skin`
     std::optional<scene::Object> within;  // only what of it lies in there
+    std::optional<int> from;              // of the body's parts only this one; else from all
 };
 
 /// The texture of a film's face, which no object of the scene has.

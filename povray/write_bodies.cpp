@@ -208,23 +208,41 @@ private:
         const auto child_words = [&](std::size_t texture) {
             return with_skins ? skin(body, texture_name(texture)) : std::vector<std::string>{};
         };
+        const auto write_cutters = [&](std::optional<int> from) {
+            for (const auto& cutter : cutters) {
+                if (parts.size() > 1 && cutter.from != from) continue;
+                if (cutter.object.name != object(body.parts.front()).name)
+                    writer_.line("// minus {}", cutter.object.name);
+                write_cutter(cutter, child_words(cutter.texture));
+            }
+        };
+        const auto is_cut = [&](std::optional<int> from) {
+            return std::ranges::any_of(cutters, [&](const Cutter& c) { return c.from == from; });
+        };
         const auto write_parts = [&](const std::vector<std::string>& last) {
             if (parts.size() == 1) {
                 return write_part(parts.front(), child_words(parts.front().texture), last);
             }
             writer_.open("merge");
-            for (const auto& part : parts) write_part(part, child_words(part.texture), {});
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const auto skins = child_words(parts[i].texture);
+                if (!is_cut(body.parts[i])) {
+                    write_part(parts[i], skins, {});
+                    continue;
+                }
+                writer_.open("difference");
+                write_part(parts[i], skins, {});
+                write_cutters(body.parts[i]);
+                writer_.close();
+            }
             for (const auto& line : last) writer_.line("{}", line);
             writer_.close();
         };
-        if (cutters.empty()) return write_parts(words);
+        const bool all_of_parts = parts.size() > 1 && !is_cut(std::nullopt);
+        if (cutters.empty() || all_of_parts) return write_parts(words);
         writer_.open("difference");
         write_parts({});
-        for (const auto& cutter : cutters) {
-            if (cutter.object.name != object(body.parts.front()).name)
-                writer_.line("// minus {}", cutter.object.name);
-            write_cutter(cutter, child_words(cutter.texture));
-        }
+        write_cutters(std::nullopt);
         for (const auto& line : words) writer_.line("{}", line);
         writer_.close();
     }
