@@ -9,6 +9,7 @@
 #include "povray/apart.hpp"
 #include "povray/directions.hpp"
 #include "povray/error.hpp"
+#include "povray/flush.hpp"
 
 namespace meniscus::povray {
 namespace {
@@ -58,10 +59,19 @@ void doubt_labels(const tracer::RenderScene& scene, const Plan& plan, const Body
         for (const int other : plan.plain_parts) {
             const auto& part = scene.parts[std::size_t(mine)];
             const auto& open = scene.parts[std::size_t(other)];
-            if (open.shape.is_closed() || are_apart(part, open, touching_distance(scene)) ||
-                !lies_in_wall(scene, part, open))
-                continue;
+            if (are_apart(part, open, touching_distance(scene))) continue;
             const auto& label = scene.source.objects[std::size_t(open.object)];
+            if (open.shape.is_closed()) {
+                const Flush flush = flush_faces(scene, part, open);
+                if (flush.flat.empty() && !flush.curved) continue;
+                lines.push_back(fmt::format(
+                    "{}:{}: '{}' ends level with '{}', where they overlap: which of the two "
+                    "POV-Ray sees is left to rounding; move one of them by {:.0g}",
+                    label.location.file, label.location.line, label.name,
+                    scene.source.solids[std::size_t(body.solid)].name, 1e-4 * scene.size));
+                continue;
+            }
+            if (!lies_in_wall(scene, part, open)) continue;
             lines.push_back(fmt::format(
                 "{}:{}: the open surface '{}' lies in the wall of '{}', which covers it in "
                 "POV-Ray or not, by rounding; move it out by {:.0g}",

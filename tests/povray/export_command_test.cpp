@@ -201,6 +201,23 @@ TEST_CASE("a label in the very wall of a glass is warned of", "[export]") {
     CHECK_THAT(warnings_of("0.9"), !Contains("lies in the wall"));
 }
 
+TEST_CASE("an opaque block that ends level with a glass it reaches into is warned of", "[export]") {
+    const Program program;
+    const std::string glass = "box { -1, 1 material { ior 1.5 } }\n";
+    const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
+    const auto warnings_of = [&](const std::string& block) {
+        program.write("s.scene", head + glass + block + " pigment { rgb 1 } }\n");
+        const auto result = program.run("export s.scene -o s.pov --model " + model);
+        CHECK(result.exit_code == 0);
+        return result.err;
+    };
+    CHECK_THAT(warnings_of("box { 0, <2, 1, 2>"),
+               Contains("s.scene:3: ") && Contains("ends level with"));
+    CHECK_THAT(warnings_of("box { 0, <2, 0.9, 2>"), !Contains("ends level"));
+    CHECK_THAT(warnings_of("box { <1, 0, 0>, <2, 1, 2>"), !Contains("ends level"));
+    CHECK_THAT(warnings_of("box { <-3, -3, -3>, <3, -1, 3>"), !Contains("ends level"));
+}
+
 TEST_CASE("solids that only contact_tolerance brings together are warned of", "[export]") {
     const Program program;
     const std::string model = GENERATE("contact", "plain", "gap --gap 1e-3");
