@@ -112,7 +112,9 @@ struct Owner {
     F face;
 
     HWY_INLINE Owner() : which(no_lanes()), index(0), face(0.0) {}
+    /// The first that comes has it.
     HWY_INLINE void own(M lanes_of_it, std::size_t solid, F its_face) {
+        lanes_of_it = but_not(lanes_of_it, which);
         which = which | lanes_of_it;
         index = select(lanes_of_it, U(solid), index);
         face = select(lanes_of_it, its_face, face);

@@ -86,6 +86,9 @@ private:
     HWY_INLINE void approach_mesh(Batch& batch, Findings& found, std::size_t i);
     HWY_INLINE void ask_mesh(Batch& batch, const Findings& found, std::size_t i, M which, M hidden);
     HWY_INLINE void doubt_meshes(Batch& batch) const;
+    HWY_INLINE F nearest_sure(const Findings& found) const;
+    HWY_INLINE F mesh_reach(const Batch& batch, F t) const;
+    HWY_INLINE F mesh_slack(const Batch& batch) const;
     HWY_INLINE M sees(const Batch& batch, const Solid& solid) const;
     HWY_INLINE void come_to_span(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
                                  M inside, F t0, F t1, M exists, F face);

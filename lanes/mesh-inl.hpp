@@ -32,8 +32,24 @@ HWY_INLINE M meet_box(const Solid& solid, const Rays& rays) {
 }
 
 /// The strongest first: it is most likely to end a ray, and what lies behind that is not asked for.
+/// So events that turn out to lie farther away are not sure.
 HWY_INLINE void Kernel::approach_meshes(Batch& batch, Findings& found) {
     for (const int i : program_.meshes) approach_mesh(batch, found, std::size_t(i));
+    batch.mesh_known = min(batch.mesh_known, mesh_reach(batch, nearest_sure(found)));
+}
+
+/// What lies nearer than the event, as far as that is known.
+HWY_INLINE F Kernel::nearest_sure(const Findings& found) const {
+    return select(found.doubt, F(infinity), found.nearest.t);
+}
+
+/// Twice the reach beyond `t` within which crossings may have a say in an event (`doubt_meshes`).
+HWY_INLINE F Kernel::mesh_reach(const Batch& batch, F t) const {
+    return t + (mesh_slack(batch) + F(2e-7) * t);
+}
+HWY_INLINE F Kernel::mesh_slack(const Batch& batch) const {
+    return F(2e-7) * (batch.rays.largest + F(program_.largest_magnitude)) +
+           F(200.0 * program_.contact_tolerance);
 }
 
 /// Where the rays next cross mesh `i`; its stretches serve the whole lists too, so that no mesh is
@@ -46,7 +62,7 @@ HWY_INLINE void Kernel::approach_mesh(Batch& batch, Findings& found, std::size_t
     M known = shares(rays.contacts, U(15ull << (4 * i)));
     if (solid.rank >= 0) known = known | (solid.inverse ? !shares(word, bit) : shares(word, bit));
     M near = rays.active & sees(batch, solid) &
-             (known | meet_sphere(program_, rays, solid.middle, solid.reach, found.nearest.t));
+             (known | meet_sphere(program_, rays, solid.middle, solid.reach, nearest_sure(found)));
     if (any(but_not(near, known))) near = near & (known | meet_box(solid, rays));
     batch.is_near[i] = any(near);
     Stretch &one = batch.stretches[2 * i], &two = batch.stretches[2 * i + 1];
@@ -72,12 +88,9 @@ HWY_INLINE void Kernel::ask_mesh(Batch& batch, const Findings& found, std::size_
                                  M hidden) {
     const Rays& rays = batch.rays;
     const Solid& solid = program_.solids[i];
-    // Twice the reach within which crossings may have a say in an event (`doubt_meshes`).
-    const F slack = F(2e-7) * (rays.largest + F(program_.largest_magnitude)) +
-                    F(200.0 * program_.contact_tolerance);
-    F nearest = found.nearest.t;
+    F nearest = nearest_sure(found);
     if (batch.is_shadow) nearest = min(nearest, rays.t_max);
-    const Doubles slacks(slack), farthest(nearest + (slack + F(2e-7) * nearest)),
+    const Doubles slacks(mesh_slack(batch)), farthest(mesh_reach(batch, nearest)),
         births(rays.birth);
     const Words contacts(rays.contacts), triangles(batch.mesh_contacts),
         lists(batch.inside.word[solid.place / 64]);

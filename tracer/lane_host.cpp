@@ -291,7 +291,7 @@ Vec3 LaneHost::follow(const lanes::WaitingRay& ray) {
     pending.throughput = ray.throughput;
     pending.weight = ray.weight;
     pending.level = int((ray.code & lanes::RayCode::level_mask) >> lanes::RayCode::level_shift);
-    pending.straight = (ray.code & lanes::RayCode::straight) != 0;
+    pending.straight = pending.is_sure = (ray.code & lanes::RayCode::straight) != 0;
     pending.way_before = ray.way_before;
     pending.key = ray.key;
     return tree_.follow(std::move(pending));

@@ -74,7 +74,7 @@ int RayTree::begin_node(const Pending& start) {
 
 void RayTree::step(Pending& pending, Rgb& sum) {
     int node = begin_node(pending);
-    if (is_cut(pending.level, pending.weight)) {
+    if (!pending.is_sure && is_cut(pending.level, pending.weight)) {
         if (record) {
             record->at(node).end =
                 pending.level >= max_level_ ? TreeNode::End::depth : TreeNode::End::weight;
@@ -197,7 +197,7 @@ void RayTree::push(const Pending& parent, const Event& event, int node, const Wa
 
 /// All but its light and its weight.
 void RayTree::start(const Pending& parent, const Event& event, int node, const Way& way,
-                    TreeNode::Branch kind, Pending& child) const {
+                    TreeNode::Branch kind, Pending& child) {
     const bool is_reflected = kind == TreeNode::Branch::reflected;
     child.ray.ray = event.origin;
     child.ray.ray.direction = way.direction;
@@ -207,7 +207,8 @@ void RayTree::start(const Pending& parent, const Event& event, int node, const W
         for (Contact& contact : child.ray.contacts) contact.starts_inside = !contact.starts_inside;
     }
     child.ray.birth = event.birth;
-    child.ray.kind = is_reflected ? RayKind::reflection : parent.ray.kind;
+    child.ray.kind = parent.ray.kind;
+    if (is_reflected) finder_.become(child.ray, RayKind::reflection);
     child.level = parent.level;
     child.straight = way.straight;
     child.key = key_of(kind, parent);

@@ -63,6 +63,7 @@ public:
         int level = 0;          // surfaces behind it, as max_trace_level counts
         bool straight = false;  // goes straight on through a surface that bends nothing: uses up no
                                 // level of its own
+        bool is_sure = false;   // that it is followed, whatever its level, has been decided
         double way_before =
             0.0;  // scene units already covered in this medium since the last surface
         int parent = -1;
@@ -101,7 +102,7 @@ private:
     void push(const Pending& parent, const Event& event, int node, const Way& way,
               TreeNode::Branch kind, double gain);
     void start(const Pending& parent, const Event& event, int node, const Way& way,
-               TreeNode::Branch kind, Pending& child) const;
+               TreeNode::Branch kind, Pending& child);
     static std::uint64_t key_of(TreeNode::Branch kind, const Pending& parent);
 
     const RenderScene& scene_;

@@ -100,13 +100,15 @@ void EventFinder::note(const Offer& offer, bool is_true) {
     if (!is_true) ++statistics_.false_crossings;
 }
 
-/// What of the group is met whatever the list says: opaque before merely open.
+/// What of the group is met whatever the list says: opaque before merely open, else what the scene
+/// has first.
 const Offer* EventFinder::surface_in_group() const {
     const Offer* surface = nullptr;
     for (const std::uint32_t i : group_) {
         const Part& part = scene_.parts[found_[i].part];
         if (part.is_member) continue;
-        if (!surface || part.is_opaque > scene_.parts[surface->part].is_opaque)
+        if (!surface || std::pair(!part.is_opaque, found_[i].part) <
+                            std::pair(!scene_.parts[surface->part].is_opaque, surface->part))
             surface = &found_[i];
     }
     return surface;

@@ -8,6 +8,7 @@
 #include "lanes/kernel.hpp"
 #include "lang/interpret.hpp"
 #include "tests/oracle/random_scene.hpp"
+#include "tests/tracer/scenes.hpp"
 #include "tracer/render.hpp"
 
 using namespace meniscus;
@@ -112,6 +113,52 @@ TEST_CASE("a camera in two solids of one priority sees the same in lanes", "[lan
     const auto sure = one_by_one(scene, options(tracer::GridSampling{1}));
     CHECK(off(fast.picture, sure.picture, 1e-6) * 1000 <= std::size_t(96 * 72));
     CHECK(fast.statistics.camera_rays == sure.statistics.camera_rays);
+}
+
+TEST_CASE("lanes see meshes in boxes and cylinders along the axes too", "[lanes]") {
+    lang::Options reading;
+    reading.declares = {{"Along", GENERATE("0", "1", "2", "3", "4", "5")}};
+    const tracer::RenderScene scene = tracer::compile(
+        lang::interpret_file(folder / "tests/lanes/along_the_axes.scene", reading).scene);
+    const auto fast = in_lanes(scene, options(tracer::GridSampling{1}));
+    const auto sure = one_by_one(scene, options(tracer::GridSampling{1}));
+    CHECK(off(fast.picture, sure.picture, 1e-6) == 0);
+    CHECK(fast.statistics.leaks == 0);
+    // Neither way sees nothing.
+    std::size_t red = 0;
+    for (std::size_t i = 0; i < sure.picture.rgb.size(); i += 3)
+        red += sure.picture.rgb[i] > 0.8 && sure.picture.rgb[i + 2] < 0.2;
+    CHECK(red > 50);
+}
+
+TEST_CASE("of coincident opaque surfaces both ways show that which the scene has first",
+          "[lanes]") {
+    scene::Scene source;
+    test::look(source, {0.7, 1.6, -6.0});
+    const auto add_box = [&](double top, const scene::Rgb& color) {
+        test::add_opaque(source, geom::Box{{-1.0, -1.0, -1.0}, {1.0, top, 1.0}},
+                         test::emissive(test::plain(color)));
+    };
+    add_box(1.0, {0.0, 1.0, 0.0});
+    add_box(0.0, {1.0, 0.0, 0.0});
+    const auto scene = tracer::compile(source);
+    for (const auto& rendered : {in_lanes(scene, options(tracer::GridSampling{1})),
+                                 one_by_one(scene, options(tracer::GridSampling{1}))}) {
+        for (std::size_t i = 0; i < rendered.picture.rgb.size(); i += 3)
+            CHECK(rendered.picture.rgb[i] == 0.0f);  // nothing is red
+    }
+}
+
+TEST_CASE("to pass between like media takes no level of rays that lanes hand over", "[lanes]") {
+    const tracer::RenderScene scene = read("tests/lanes/last_level.scene");
+    auto deep = options(tracer::GridSampling{1});
+    deep.width = 48;
+    deep.height = 36;
+    deep.tree = tracer::Tree::full;
+    deep.depth = GENERATE(5, 6, 7);
+    const auto fast = in_lanes(scene, deep);
+    CHECK(off(fast.picture, one_by_one(scene, deep).picture, 1e-6) == 0);
+    CHECK(fast.statistics.single_rays > 0);
 }
 
 TEST_CASE("lanes follow rays through more solids than one word of a list holds", "[lanes]") {
