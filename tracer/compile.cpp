@@ -101,6 +101,7 @@ RenderScene compile(scene::Scene source) {
         const Part& part = result.parts.back();
         if (part.is_member) {
             result.has_members = true;
+            if (part.no_image || part.no_reflection) result.selective.push_back(int(i));
             if (scene.solids[object.solid].interior.attenuates()) result.has_attenuation = true;
         }
         const geom::Bounds& bounds = part.shape.bounds();

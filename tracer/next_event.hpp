@@ -37,6 +37,9 @@ public:
     /// A ray that starts at `origin` in the open, its list computed from which solids contain the
     /// origin.
     TracedRay start(const geom::Ray& ray, RayKind kind);
+    /// Makes a ray one of another kind: what such rays do not see is in its list no more, and what
+    /// the former did not see is, where it contains the origin.
+    void become(TracedRay& ray, RayKind kind);
 
     const RenderScene& scene() const { return scene_; }
     Statistics& statistics() { return statistics_; }

@@ -53,6 +53,7 @@ struct RenderScene {
     bool has_few_parts = false;  // finite ones: so few that it costs less to ask them all
     std::vector<SharedAnchor> anchors;
     std::vector<int> unbounded;      // half-spaces and complements: parts without finite bounds
+    std::vector<int> selective;      // members that some kinds of rays do not see
     double size = 1.0;               // of the finite parts' bounds
     double tolerance_units = 16.0;   // the rounding bound of contact, in u M (docs/numerics.md)
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound

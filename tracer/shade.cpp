@@ -68,8 +68,10 @@ void RayTree::shade_textured(const Pending& pending, const Event& event, int nod
         Rgb visible{1.0};
         if (term.distance > 0.0) {
             ++statistics_.shadow_rays;
-            visible =
-                unshadowed(shadow_ray(event, term.direction, term.from_behind), term.distance);
+            TracedRay shadow = shadow_ray(event, term.direction, term.from_behind);
+            shadow.kind = pending.ray.kind;
+            finder_.become(shadow, RayKind::shadow);
+            visible = unshadowed(std::move(shadow), term.distance);
         }
         own += visible * term.light;
     }

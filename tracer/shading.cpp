@@ -119,7 +119,6 @@ TracedRay shadow_ray(const Event& event, const Vec3& direction, bool from_behind
         for (Contact& contact : shadow.contacts) contact.starts_inside = !contact.starts_inside;
     }
     shadow.birth = event.birth;
-    shadow.kind = RayKind::shadow;
     return shadow;
 }
 

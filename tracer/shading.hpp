@@ -43,7 +43,7 @@ void shade(const RenderScene& scene, const geom::Vec3& direction, const Event& e
 geom::Vec3 mirrored(const geom::Vec3& direction, const geom::Vec3& true_normal,
                     const geom::Vec3& shading_normal);
 
-/// The ray from an event's point to a light.
+/// The ray from an event's point to a light, whose kind is not told yet.
 TracedRay shadow_ray(const Event& event, const geom::Vec3& direction, bool from_behind);
 
 }  // namespace meniscus::tracer

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracer/next_event.hpp"
 
@@ -77,6 +78,18 @@ TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
         for (int n = start.depth; n < 0; ++n) result.interior.leave(start.part);
     }
     return result;
+}
+
+void EventFinder::become(TracedRay& ray, RayKind kind) {
+    const RayKind before = std::exchange(ray.kind, kind);
+    if (kind == before || scene_.selective.empty()) return;
+    const InteriorList fresh = start(ray.ray, kind).interior;
+    for (const int index : scene_.selective) {
+        const Part& part = scene_.parts[index];
+        if (is_visible(part, before) == is_visible(part, kind)) continue;
+        while (ray.interior.depth(index) < fresh.depth(index)) ray.interior.enter(index);
+        while (ray.interior.depth(index) > fresh.depth(index)) ray.interior.leave(index);
+    }
 }
 
 }  // namespace meniscus::tracer

@@ -66,6 +66,30 @@ scene::Scene filled_tube(double reach) {
 
 }  // namespace
 
+// Along the axis R = 0.04 is mirrored and half of the way's light is left; what the back mirrors
+// does not see the ball any more, so that nothing else is taken from it.
+TEST_CASE("a medium that mirrored rays do not see is not in their lists", "[tracer]") {
+    scene::Scene scene;
+    look(scene, {0.0, 0.0, -6.0});
+    scene.background.rgb = scene::Rgb{1.0};
+    scene::Object& ball = add_glass(scene, geom::Sphere{{0.0, 0.0, 0.0}, 1.0}, 1.5, 1,
+                                    scene::Rgb{0.5 * std::log(2.0)});
+    ball.no_reflection = true;
+    const auto rendered = render(scene, centers(3, 3, tracer::Tree::full));
+    CHECK(rendered.statistics.leaks == 0);
+    CHECK(double(rendered.picture.rgb[3 * 4]) == Approx(0.04 + 0.96 * 0.5).epsilon(1e-6));
+}
+
+TEST_CASE("a medium that only mirrored rays see is in their lists", "[tracer]") {
+    scene::Scene scene;
+    look(scene, {0.3, 0.2, -6.0});
+    scene.background.rgb = scene::Rgb{1.0};
+    add_glass(scene, geom::Box{{-2.0, -2.0, -2.0}, {2.0, 2.0, 2.0}}, 1.33, 1, scene::Rgb{0.2})
+        .no_image = true;
+    add_glass(scene, geom::Sphere{{0.0, 0.0, 0.0}, 1.0}, 1.5, 2);
+    CHECK(render(scene, centers(48, 36, tracer::Tree::full)).statistics.leaks == 0);
+}
+
 TEST_CASE("a white sphere in a white sky is invisible", "[tracer]") {
     scene::Scene scene;
     look(scene, {0.0, 0.0, -5.0});
