@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "inspect/sample_lines.hpp"
 #include "tracer/offers.hpp"
@@ -32,17 +36,42 @@ double margin(const tracer::RenderScene& scene, const Part& a, const Part& b, co
     return tracer::tolerance(scene, 8.0 * magnitude(a, b, p));
 }
 
+/// What third solids of higher priority leave of a stretch: the longest piece.
+std::pair<double, double> longest_uncovered(std::pair<double, double> stretch,
+                                            const geom::Ray& line,
+                                            std::span<const Part* const> covers) {
+    std::vector<std::pair<double, double>> covered;
+    for (const Part* part : covers) {
+        for (const Inside& within : inside(*part, line))
+            covered.emplace_back(within.begin, within.end);
+    }
+    std::ranges::sort(covered);
+    auto [begin, end] = stretch;
+    std::pair<double, double> longest{begin, begin};
+    const auto leave = [&](double until) {
+        if (until - begin > longest.second - longest.first) longest = {begin, until};
+    };
+    for (const auto& [from, to] : covered) {
+        leave(std::min(from, end));
+        begin = std::max(begin, to);
+    }
+    leave(end);
+    return longest;
+}
+
 /// A stretch of a line that both solids share, if there is enough of it.
 struct Shared {
     Vec3 middle;
     double length;
 };
 std::optional<Shared> shared_stretch(const tracer::RenderScene& scene, const Part& a, const Part& b,
-                                     const geom::Ray& line, const Inside& in_a,
-                                     const Inside& in_b) {
+                                     const geom::Ray& line, const Inside& in_a, const Inside& in_b,
+                                     std::span<const Part* const> covers) {
     const double reach = 2.0 * scene.size;  // of endless stretches
-    const double begin = std::max({in_a.begin, in_b.begin, -reach});
-    const double end = std::min({in_a.end, in_b.end, reach});
+    double begin = std::max({in_a.begin, in_b.begin, -reach});
+    double end = std::min({in_a.end, in_b.end, reach});
+    if (!(begin < end)) return std::nullopt;
+    std::tie(begin, end) = longest_uncovered({begin, end}, line, covers);
     if (!(begin < end)) return std::nullopt;
     const Vec3 p = line.at(0.5 * (begin + end));
     if (end - begin <= margin(scene, a, b, p)) return std::nullopt;
@@ -88,6 +117,21 @@ bool is_covered(const tracer::RenderScene& scene, const Part& a, const Part& b, 
     scene.bvh.overlapping({p, p},
                           [&](std::uint32_t primitive) { look(scene.bvh_parts[primitive]); });
     return covered;
+}
+
+/// Third solids that win over both of two of one priority in a region. (Over others the stronger of
+/// the two wins anyway.)
+std::vector<const Part*> solids_above(const tracer::RenderScene& scene, const Part& a,
+                                      const Part& b, const geom::Bounds& box) {
+    std::vector<const Part*> result;
+    if (a.priority != b.priority) return result;
+    const auto look = [&](int index) {
+        const Part& part = scene.parts[std::size_t(index)];
+        if (part.is_member && part.priority > a.priority) result.push_back(&part);
+    };
+    for (const int index : scene.unbounded) look(index);
+    scene.bvh.overlapping(box, [&](std::uint32_t primitive) { look(scene.bvh_parts[primitive]); });
+    return result;
 }
 
 /// What slits count, along the normal.
@@ -162,12 +206,13 @@ Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b,
         line.direction = *way;
         lines.push_back(line);
     }
+    const std::vector<const Part*> covers = solids_above(scene, a, b, box);
     std::optional<Shared> deepest;
     for (const geom::Ray& line : lines) {
         const auto in_a = inside(a, line), in_b = inside(b, line);
         for (const Inside& i : in_a) {
             for (const Inside& j : in_b) {
-                const auto shared = shared_stretch(scene, a, b, line, i, j);
+                const auto shared = shared_stretch(scene, a, b, line, i, j, covers);
                 if (shared && (!deepest || shared->length > deepest->length)) {
                     const double least = margin(scene, a, b, shared->middle);
                     if (is_well_inside(a, shared->middle, least) &&

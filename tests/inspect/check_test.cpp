@@ -137,6 +137,19 @@ TEST_CASE("an overlap of a billionth is an overlap where priorities are equal", 
     CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-6));
 }
 
+TEST_CASE("an overlap that a stronger solid covers is none", "[inspect]") {
+    const auto with_wall = [](double half) {
+        auto scene = seen_from_afar();
+        add_medium(scene, "Left", geom::Box{{-1.0, -1.0, -1.0}, {0.05, 1.0, 1.0}}, 1.33, 1.0);
+        add_medium(scene, "Right", geom::Box{{-0.05, -1.0, -1.0}, {1.0, 1.0, 1.0}}, 1.47, 1.0);
+        add_medium(scene, "Wall", geom::Box{{-half, -1.1, -1.1}, {half, 1.1, 1.1}}, 1.5, 2.0);
+        return lints(check(scene));
+    };
+    CHECK(with_wall(0.1).empty());
+    CHECK(with_wall(0.05).empty());
+    CHECK(with_wall(0.04) == Lints{"equal-priority-overlap"});
+}
+
 TEST_CASE("a solid that sticks out of one of higher priority by a trifle is a film", "[inspect]") {
     const auto with_film = [](double film) {
         auto scene = seen_from_afar();
