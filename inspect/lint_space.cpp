@@ -26,7 +26,7 @@ void find_camera_in_media(const RenderScene& scene, const Names& names,
                           std::vector<Finding>& findings) {
     const Vec3 p = tracer::camera_origin(scene.source.camera);
     for (const Part& part : scene.parts) {
-        if (!part.is_member || part.is_opaque || !contains(part, p)) continue;
+        if (!part.is_member || part.is_opaque || part.no_image || !contains(part, p)) continue;
         // The complement of a lens's face, as air, is where a camera belongs.
         const scene::Scene& source = scene.source;
         const auto& interior = source.solids[std::size_t(part.solid)].interior;

@@ -10,14 +10,31 @@ using namespace meniscus::oracle;
 
 namespace {
 
-void check_equal(std::uint64_t first_seed, std::uint64_t seeds, const RandomSceneOptions& options) {
+/// Seen by parallel rays along an axis, where components of directions are 0 or -0.
+scene::Scene seen_along_an_axis(scene::Scene scene, std::uint64_t seed) {
+    const int axis = int(seed % 3);
+    geom::Vec3 direction{0.0}, right{0.0}, up{0.0};
+    direction[axis] = axis == 1 || seed % 2 == 0 ? -1.0 : 1.0;  // not from below the floor
+    right[(axis + 1) % 3] = 4.0;
+    up[(axis + 2) % 3] = 3.0;
+    scene.camera = {.kind = scene::Camera::Kind::orthographic,
+                    .location = geom::Vec3{0.0123, 0.0071, 0.0037} - 6.0 * direction,
+                    .direction = direction,
+                    .right = right,
+                    .up = up};
+    return scene;
+}
+
+void check_equal(std::uint64_t first_seed, std::uint64_t seeds, const RandomSceneOptions& options,
+                 bool along_an_axis = false) {
     Picture picture;
     picture.limits.contact = contact_of(options);
     tracer::Options ours = options_for(picture);
     ours.check_segments = false;
     std::size_t followed = 0;
     for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed) {
-        const auto scene = random_scene(seed, options);
+        auto scene = random_scene(seed, options);
+        if (along_an_axis) scene = seen_along_an_axis(std::move(scene), seed);
         const auto rendered = tracer::render(tracer::compile(scene), ours);
         if (!rendered.why_general.empty()) continue;
         ++followed;
@@ -69,4 +86,8 @@ TEST_CASE("lattice scenes with meshes, in lanes", "[lanes][oracle]") {
                  .unions = true,
                  .textured = true,
                  .complements = true});
+}
+
+TEST_CASE("lattice scenes seen along an axis, in lanes", "[lanes][oracle]") {
+    check_equal(2600, 18, {}, true);
 }
