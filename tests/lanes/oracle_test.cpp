@@ -38,7 +38,8 @@ void check_equal(std::uint64_t first_seed, std::uint64_t seeds, const RandomScen
         const auto rendered = tracer::render(tracer::compile(scene), ours);
         if (!rendered.why_general.empty()) continue;
         ++followed;
-        const auto difference = compare<Extended>(rendered, scene, picture);
+        const auto difference = along_an_axis ? compare_closely(rendered, scene, picture)
+                                              : compare<Extended>(rendered, scene, picture);
         INFO("seed " << seed << ": " << difference.text());
         CHECK(difference.leaks == 0);
         CHECK(difference.median < 1e-9);
@@ -88,6 +89,9 @@ TEST_CASE("lattice scenes with meshes, in lanes", "[lanes][oracle]") {
                  .complements = true});
 }
 
-TEST_CASE("lattice scenes seen along an axis, in lanes", "[lanes][oracle]") {
+TEST_CASE("scenes seen along an axis, in lanes", "[lanes][oracle]") {
     check_equal(2600, 18, {}, true);
+    // Off the lattice, where balls focus such rays on no edge, and without a floor, since meshes
+    // throw some back exactly level: then one cannot tell by rays beside what decides.
+    check_equal(2700, 36, {.scattered = true, .meshes = true, .floor = false}, true);
 }
