@@ -46,7 +46,8 @@ std::pair<double, double> longest_uncovered(std::pair<double, double> stretch,
             covered.emplace_back(within.begin, within.end);
     }
     std::ranges::sort(covered);
-    auto [begin, end] = stretch;
+    double begin = stretch.first;
+    const double end = stretch.second;
     std::pair<double, double> longest{begin, begin};
     const auto leave = [&](double until) {
         if (until - begin > longest.second - longest.first) longest = {begin, until};
