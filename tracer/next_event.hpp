@@ -99,7 +99,8 @@ private:
     std::vector<Offer> found_;
     std::vector<char> used_;  // by index in found_: applied to the list, or in the group
     geom::InlineVector<std::uint32_t, 16> group_;  // coincident crossings: indices in found_
-    std::vector<unsigned> visited_;  // by part: stamp of the traversal that saw it last
+    geom::InlineVector<int, 16> waiting_;  // parts crossed behind the pivot, but not with it
+    std::vector<unsigned> visited_;        // by part: stamp of the traversal that saw it last
     unsigned stamp_ = 0;
     double bound_ = 0.0;       // this traversal looks no farther
     double bounding_t_ = 0.0;  // of the crossing that says so

@@ -55,13 +55,16 @@ std::size_t EventFinder::find_pivot(const InteriorList& list, std::size_t begin)
 }
 
 /// All that coincides with the pivot: nearer than the tolerance along the steeper of the two
-/// normals. Sorted by declaration: of entries that tie, the later declared counts as entered last.
+/// normals. What a part does later waits for what it does before: where a ray grazes a face, that
+/// may be near and a crossing on the way there far. Sorted by declaration: of entries that tie, the
+/// later declared counts as entered last.
 void EventFinder::gather_group(const TracedRay& ray, std::size_t begin, std::size_t pivot_index) {
     group_.clear();
     if (pivot_index == found_.size()) return;
     const Offer& pivot = found_[pivot_index];
     const double farthest = reach(scene_, pivot.t, offers_.magnitude(ray, pivot.part, pivot.t));
     double pivot_cosine = -1.0;  // not yet known
+    waiting_.clear();
     for (std::size_t i = begin; i < found_.size() && found_[i].t <= farthest; ++i) {
         if (used_[i]) continue;
         const Offer& offer = found_[i];
@@ -70,9 +73,12 @@ void EventFinder::gather_group(const TracedRay& ray, std::size_t begin, std::siz
         if (distance > 0.0) {
             const double magnitude = offers_.magnitude(ray, pivot, offer);
             if (pivot_cosine < 0.0) pivot_cosine = cosine(ray, pivot);
+            if (std::ranges::find(waiting_, offer.part) != waiting_.end()) continue;
             if (distance * std::max(pivot_cosine, cosine(ray, offer)) >
-                tolerance(scene_, magnitude))
+                tolerance(scene_, magnitude)) {
+                if (i > pivot_index) waiting_.push_back(offer.part);
                 continue;
+            }
         }
         group_.push_back(std::uint32_t(i));
         used_[i] = 1;

@@ -66,6 +66,28 @@ scene::Scene filled_tube(double reach) {
 
 }  // namespace
 
+// Rays down to a pool with a block that reaches 0.008 below the water. At a slope of 1 in 100 they
+// leave the block through its bottom within the tolerance of the water's surface, but enter it half
+// a unit on.
+TEST_CASE("what rays leave with an event they have entered by then", "[tracer]") {
+    scene::Scene scene;
+    scene.camera = {.kind = scene::Camera::Kind::orthographic,
+                    .location = {-3.0, 0.03, 0.0},
+                    .direction = {1.0, -0.01, 0.0},
+                    .right = {0.0, 0.0, 0.02},
+                    .up = {0.0, 0.0002, 0.0}};
+    scene.background.rgb = {0.3, 0.5, 0.8};
+    scene.settings.contact_tolerance = 0.01;
+    add_glass(scene, geom::Plane{{0.0, 1.0, 0.0}, 0.0}, 1.33, 1);
+    add_glass(scene, geom::Box{{0.5, -0.008, -1.0}, {2.0, 1.0, 1.0}}, 1.5, 2);
+    for (const auto kernel : {tracer::Kernel::general, tracer::Kernel::automatic}) {
+        auto options = centers(16, 8, tracer::Tree::full);
+        options.check_segments = false;
+        options.kernel = kernel;
+        CHECK(render(scene, options).statistics.leaks == 0);
+    }
+}
+
 // Along the axis R = 0.04 is mirrored and half of the way's light is left; what the back mirrors
 // does not see the ball any more, so that nothing else is taken from it.
 TEST_CASE("a medium that mirrored rays do not see is not in their lists", "[tracer]") {
