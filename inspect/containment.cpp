@@ -78,8 +78,9 @@ std::optional<double> uniform_scale(const geom::Mat3& m) {
     return scale;
 }
 
-/// Rings under a map: exactly, or, where circles become ellipses, the corners of a box round each.
-Rings moved(const Rings& rings, const geom::Transform& map) {
+/// Rings under a map: exactly, or, where circles become ellipses, the corners of a box round each;
+/// then they are not `exact`.
+Rings moved(const Rings& rings, const geom::Transform& map, bool& exact) {
     if (map.is_identity()) return rings;
     const auto scale = uniform_scale(map.linear());
     Rings result;
@@ -89,6 +90,7 @@ Rings moved(const Rings& rings, const geom::Transform& map) {
                               *scale * ring.radius, *scale * ring.thickness});
             continue;
         }
+        if (ring.radius + ring.thickness > 0.0) exact = false;
         const auto first = result.size();
         add_corners(geom::Bounds{ring.center, ring.center}.padded(ring.radius + ring.thickness),
                     result);
@@ -137,12 +139,13 @@ std::optional<double> excess(const Other&, const Ring&) {
     return std::nullopt;
 }
 
-/// None if these two shapes do not allow an answer.
+/// None if these two shapes, as they are moved, do not allow an answer.
 std::optional<bool> is_certainly_contained(const Part& inner, const Part& outer) {
     const Rings own = std::visit([](const auto& s) { return rings_of(s); }, inner.shape.shape());
     if (own.empty()) return std::nullopt;
+    bool exact = true;
     const auto rings =
-        moved(moved(own, inner.shape.transform()), outer.shape.transform().inverse());
+        moved(moved(own, inner.shape.transform(), exact), outer.shape.transform().inverse(), exact);
     return std::visit(
         [&](const auto& shape) -> std::optional<bool> {
             double size = shape.magnitude();
@@ -150,7 +153,8 @@ std::optional<bool> is_certainly_contained(const Part& inner, const Part& outer)
             for (const Ring& ring : rings) {
                 const auto out = excess(shape, ring);
                 if (!out) return std::nullopt;
-                if (!(*out <= 16.0 * geom::unit_roundoff * size)) return false;
+                if (!(*out <= 16.0 * geom::unit_roundoff * size))
+                    return exact ? std::optional(false) : std::nullopt;
             }
             return true;
         },

@@ -137,6 +137,18 @@ TEST_CASE("an overlap of a billionth is an overlap where priorities are equal", 
     CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-6));
 }
 
+TEST_CASE("an ellipsoid within a ball of higher priority is hidden", "[inspect]") {
+    const auto with_ellipsoid = [](const Vec3& axes) {
+        auto scene = seen_from_afar();
+        add_medium(scene, "Glass", geom::Sphere{Vec3{0.0}, 1.0}, 1.5, 2.0);
+        add_medium(scene, "Water", geom::Sphere{Vec3{0.0}, 1.0}, 1.33, 1.0);
+        scene.objects.back().transform = geom::Transform::scaling(axes);
+        return lints(check(scene));
+    };
+    CHECK(with_ellipsoid({0.9, 0.9, 0.8}) == Lints{"hidden-solid"});
+    CHECK(with_ellipsoid({0.9, 1.1, 0.8}).empty());
+}
+
 TEST_CASE("an overlap that a stronger solid covers is none", "[inspect]") {
     const auto with_wall = [](double half) {
         auto scene = seen_from_afar();
