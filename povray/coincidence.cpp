@@ -33,13 +33,25 @@ bool have_face_in_common(const tracer::RenderScene& scene, const tracer::Part& a
 
 std::vector<double> growth_apart(const tracer::RenderScene& scene, const std::vector<int>& parts,
                                  double sliver) {
+    std::vector<int> place(scene.parts.size(), -1);  // in `parts`
+    for (std::size_t i = 0; i < parts.size(); ++i) place[std::size_t(parts[i])] = int(i);
     std::vector<double> result(parts.size(), 0.0);
     for (std::size_t i = 1; i < parts.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            if (result[i] <= result[k] &&
-                have_face_in_common(scene, scene.parts[std::size_t(parts[i])],
-                                    scene.parts[std::size_t(parts[k])]))
-                result[i] = result[k] + sliver;
+        const auto& part = scene.parts[std::size_t(parts[i])];
+        std::vector<int> earlier;
+        const auto look = [&](int other) {
+            const int k = place[std::size_t(other)];
+            if (k >= 0 && k < int(i)) earlier.push_back(k);
+        };
+        for (const int other : scene.unbounded) look(other);
+        scene.bvh.overlapping(part.shape.bounds().padded(1e-6 * scene.size),
+                              [&](std::uint32_t box) { look(scene.bvh_parts[box]); });
+        std::ranges::sort(earlier);
+        for (const int k : earlier) {
+            const double theirs = result[std::size_t(k)];
+            if (result[i] <= theirs &&
+                have_face_in_common(scene, part, scene.parts[std::size_t(parts[std::size_t(k)])]))
+                result[i] = theirs + sliver;
         }
     }
     return result;
