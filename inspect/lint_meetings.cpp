@@ -20,10 +20,6 @@ int lines_per_axis(std::size_t pairs) {
     return int(std::clamp<std::size_t>(200'000 / (pairs + 1), 4, 64));
 }
 
-/// Lines on which a gap or film must be seen: a round solid that touches another is that near to it
-/// on hardly any.
-constexpr std::size_t fewest = 3;
-
 const scene::Location& location(const RenderScene& scene, const Part& part) {
     return scene.source.objects[std::size_t(part.object)].location;
 }
@@ -37,7 +33,7 @@ std::string unlike(const scene::Interior& a, const scene::Interior& b) {
     return "of unlike absorption";
 }
 
-/// Two parts of unlike solids and how they meet.
+/// Two parts, of two solids or of a union, and how they meet.
 struct Pair {
     const RenderScene& scene;
     const Names& names;
@@ -73,7 +69,7 @@ bool add_overlap(const Pair& pair, Findings& findings) {
 
 bool add_gap(const Pair& pair, Findings& findings) {
     const auto& [scene, names, a, b, meeting] = pair;
-    if (meeting.gaps.size() < fewest) return false;
+    if (meeting.gaps.size() < fewest_slits) return false;
     const auto widest = std::ranges::max_element(meeting.gaps, {}, &Gap::width);
     findings.push_back(
         {.severity = Finding::Severity::warning,
@@ -83,8 +79,9 @@ bool add_gap(const Pair& pair, Findings& findings) {
                              "on both its sides as on any film",
                              names.object(a.object), names.object(b.object), text(widest->width),
                              text(widest->position)),
-         .advice = fmt::format("let them overlap, the higher priority wins; or state "
+         .advice = fmt::format("let them overlap{}; or state "
                                "`global_settings {{ contact_tolerance {:.1g} }}`",
+                               a.solid == b.solid ? "" : ", the higher priority wins",
                                4.0 * widest->width),
          .related = {{location(scene, a), names.object(a.object) + " is here"}},
          .position = widest->position,
@@ -94,7 +91,7 @@ bool add_gap(const Pair& pair, Findings& findings) {
 
 bool add_film(const Pair& pair, Findings& findings) {
     const auto& [scene, names, a, b, meeting] = pair;
-    if (meeting.films.size() < fewest) return false;
+    if (meeting.films.size() < fewest_slits) return false;
     if (interior(scene, a).same_medium(interior(scene, b))) return false;
     const auto widest = std::ranges::max_element(meeting.films, {}, &Gap::width);
     const Part& low = a.priority < b.priority ? a : b;
@@ -120,7 +117,7 @@ bool add_film(const Pair& pair, Findings& findings) {
 void find_bad_meetings(const RenderScene& scene, const Names& names, Findings& findings) {
     constexpr std::array rules = {add_overlap, add_gap, add_film};
     std::array<std::set<std::pair<int, int>>, rules.size()> done;  // pairs of solids
-    const auto pairs = neighbours(scene, thin);
+    const auto pairs = neighbours(scene, thin, Pairing::all);
     for (const auto& [i, j] : pairs) {
         const Part& a = scene.parts[std::size_t(i)];
         const Part& b = scene.parts[std::size_t(j)];

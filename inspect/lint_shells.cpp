@@ -1,6 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "inspect/lints.hpp"
+#include "inspect/meeting.hpp"
 #include "inspect/mesh_lint.hpp"
 #include "inspect/sample_lines.hpp"
 #include "inspect/self_intersection.hpp"
@@ -49,6 +54,12 @@ public:
                 "where {} lies on {}",
                 "nothing need be done: nothing is between them");
         }
+        if (found.repeated) {
+            add(*found.repeated, "repeated-triangles", Finding::Severity::note,
+                "{} has triangles twice: {} with the same corners, that look the same way, as at "
+                "{}, {} wide: {} and {}; they count as one solid",
+                "leave one of each out; the picture is the same without, and sooner made");
+        }
         if (found.unions) {
             add(*found.unions, "nested-shells", Finding::Severity::note,
                 "{} has shells that overlap: {}, as at {} by {}, where {} meets {}; they count as "
@@ -57,6 +68,7 @@ public:
         } else if (mesh_.stats().components > 1) {
             find_shell_in_shell();
         }
+        find_gaps();
     }
 
 private:
@@ -88,7 +100,6 @@ private:
     }
 
     void find_shell_in_shell() {
-        constexpr int lines_per_axis = 256;
         geom::Crossings crossings;
         for (const geom::Ray& line : sample_lines(mesh_.bounds(), lines_per_axis)) {
             crossings.clear();
@@ -111,6 +122,43 @@ private:
             }
         }
     }
+
+    /// Slits between shells, or within a shell that comes back to itself.
+    void find_gaps() {
+        std::vector<Gap> gaps;
+        for (const geom::Ray& line : sample_lines(part_.shape.bounds(), lines_per_axis)) {
+            const auto stretches = inside(part_, line);
+            for (std::size_t i = 1; i < stretches.size(); ++i)
+                add_gap(line, stretches[i - 1], stretches[i], gaps);
+        }
+        if (gaps.size() < fewest_slits) return;
+        const auto widest = std::ranges::max_element(gaps, {}, &Gap::width);
+        Finding finding = about(scene_, part_, "thin-gap");
+        finding.position = widest->position;
+        finding.depth = widest->width;
+        finding.text = fmt::format(
+            "between surfaces of {} there is a gap of {}, as at {}: light is reflected on both its "
+            "sides as on any film",
+            name_, text(widest->width), text(widest->position));
+        finding.advice = fmt::format(
+            "let the surfaces meet or overlap; or state `global_settings {{ contact_tolerance "
+            "{:.1g} }}`",
+            4.0 * widest->width);
+        findings_.push_back(std::move(finding));
+    }
+
+    /// From where the line leaves the mesh to where it enters it anew.
+    void add_gap(const geom::Ray& line, const Inside& left, const Inside& entered,
+                 std::vector<Gap>& gaps) const {
+        const double length = entered.begin - left.end;
+        const geom::Vec3 p = line.at(left.end);
+        const double width =
+            length * std::abs(glm::dot(part_.shape.normal(left.last, p), line.direction));
+        if (is_thin(scene_, width, geom::max_abs(p) + part_.shape.magnitude()))
+            gaps.push_back({width, line.at(left.end + 0.5 * length)});
+    }
+
+    static constexpr int lines_per_axis = 256;
 
     const RenderScene& scene_;
     std::string name_;

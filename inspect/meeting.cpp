@@ -105,14 +105,16 @@ double thickness(const Part& a, const Part& b, const Vec3& p, const std::optiona
     return least;
 }
 
-/// Whether a third solid of higher priority than `priority` is there.
+/// Whether another part fills a point between two: of a solid of higher priority than `priority`,
+/// or of one of the two solids, if that is a union.
 bool is_covered(const tracer::RenderScene& scene, const Part& a, const Part& b, const Vec3& p,
                 double priority) {
     bool covered = false;
     const auto look = [&](int index) {
         const Part& part = scene.parts[std::size_t(index)];
-        if (!part.is_member || part.solid == a.solid || part.solid == b.solid) return;
-        covered |= part.priority > priority && part.shape.contains(p) != part.inverse;
+        if (!part.is_member || &part == &a || &part == &b) return;
+        const bool is_own = part.solid == a.solid || part.solid == b.solid;
+        covered |= (is_own || part.priority > priority) && part.shape.contains(p) != part.inverse;
     };
     for (const int index : scene.unbounded) look(index);
     scene.bvh.overlapping({p, p},
@@ -148,7 +150,7 @@ struct Widths {
             const double rounding = scene.tolerance_units * geom::unit_roundoff * 4.0 * magnitude;
             return width <= widest && width > rounding;
         }
-        return width <= thin * magnitude && width > tracer::tolerance(scene, 4.0 * magnitude);
+        return is_thin(scene, width, magnitude);
     }
 };
 
@@ -232,6 +234,10 @@ Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b,
 }
 
 }  // namespace
+
+bool is_thin(const tracer::RenderScene& scene, double width, double magnitude) {
+    return width <= thin * magnitude && width > tracer::tolerance(scene, 4.0 * magnitude);
+}
 
 Meeting meet(const tracer::RenderScene& scene, const Part& a, const Part& b, int lines_per_axis) {
     return meet(scene, a, b, common_region(scene, a, b, thin), lines_per_axis, {});

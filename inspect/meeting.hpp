@@ -31,6 +31,14 @@ struct Meeting {
 /// Solids this near to each other, relative to their coordinates, are taken for a mistake.
 inline constexpr double thin = 1e-7;
 
+/// Lines on which a gap or film must be seen: a round solid that touches another is that near to it
+/// on hardly any.
+inline constexpr std::size_t fewest_slits = 3;
+
+/// Whether a width (scene units, along the normal) is too thin to be meant and too wide for
+/// rounding, where coordinates are of that magnitude.
+bool is_thin(const tracer::RenderScene& scene, double width, double magnitude);
+
 Meeting meet(const tracer::RenderScene& scene, const tracer::Part& a, const tracer::Part& b,
              int lines_per_axis);
 

@@ -79,13 +79,14 @@ std::vector<geom::Ray> sample_lines(const Bounds& box, int lines_per_axis) {
     return lines;
 }
 
-std::vector<std::pair<int, int>> neighbours(const tracer::RenderScene& scene, double margin) {
+std::vector<std::pair<int, int>> neighbours(const tracer::RenderScene& scene, double margin,
+                                            Pairing pairing) {
     std::vector<std::pair<int, int>> pairs;
     const auto add = [&](int a, int b) {
         const Part& first = scene.parts[std::size_t(a)];
         const Part& second = scene.parts[std::size_t(b)];
-        if (a < b && first.is_member && second.is_member && first.solid != second.solid)
-            pairs.emplace_back(a, b);
+        if (!(a < b) || !first.is_member || !second.is_member) return;
+        if (pairing == Pairing::all || first.solid != second.solid) pairs.emplace_back(a, b);
     };
     const auto is_everywhere = [&](int i) {
         return !region(scene.parts[std::size_t(i)]).is_finite();

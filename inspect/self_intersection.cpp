@@ -17,7 +17,7 @@ using geom::Vec3;
 class Search {
 public:
     explicit Search(const geom::TriangleMesh& mesh)
-        : surface_(mesh), margin_(64.0 * geom::unit_roundoff * mesh.magnitude()) {
+        : mesh_(mesh), surface_(mesh), margin_(64.0 * geom::unit_roundoff * mesh.magnitude()) {
         triangles_.reserve(mesh.size());
         std::vector<geom::Bounds> boxes(mesh.size());
         for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -44,9 +44,23 @@ private:
             if (const auto depth = depth_of_cut(a, b, *segment))
                 note_cut(a, b, 0.5 * (segment->from + segment->to), *depth);
         } else if (const auto* area = std::get_if<SharedArea>(&meeting)) {
-            if (surface_.shell(a) != surface_.shell(b)) return;  // they touch
-            note(area->same_facing ? found.overlaps : found.folds, a, b, area->center, area->width);
+            note_area(a, b, shared == 3, *area);
         }
+    }
+
+    void note_area(std::size_t a, std::size_t b, bool same_corners, const SharedArea& area) {
+        const std::uint32_t shell_a = surface_.shell(a), shell_b = surface_.shell(b);
+        if (shell_a == shell_b) {
+            note(area.same_facing ? found.overlaps : found.folds, a, b, area.center, area.width);
+        } else if (same_corners && area.same_facing && is_twice_inside(a, area)) {
+            note(found.repeated, a, b, area.center, area.width);
+        }  // else they touch
+    }
+
+    /// Whether what the triangle bounds counts more than once just behind it.
+    bool is_twice_inside(std::size_t triangle, const SharedArea& area) const {
+        const double step = std::max(1e-6 * area.width, margin_);
+        return mesh_.depth_at(area.center - step * mesh_.normal(geom::Face(triangle))) > 1;
     }
 
     double height(std::size_t over, const Vec3& p) const {
@@ -136,6 +150,7 @@ private:
         ++pairs->count;
     }
 
+    const geom::TriangleMesh& mesh_;
     MeshSurface surface_;
     std::vector<FlatTriangle> triangles_;
     double margin_;

@@ -22,6 +22,7 @@ struct SelfIntersections {
     std::optional<TrianglePairs> cuts;      // of one shell: through each other
     std::optional<TrianglePairs> overlaps;  // of one shell: on each other, facing the same way
     std::optional<TrianglePairs> folds;     // of one shell: on each other, back to back
+    std::optional<TrianglePairs> repeated;  // of two shells: the same corners, both solid behind
     std::optional<TrianglePairs> unions;    // of two shells that both are solid
     std::optional<TrianglePairs> pierced;   // of a solid shell and a cavity, or of two cavities
 };

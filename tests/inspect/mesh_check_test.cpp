@@ -23,6 +23,14 @@ geom::TriangleSoup cube(double half = 1.0, bool inside_out = false) {
     return soup;
 }
 
+/// The cube, and another one moved.
+geom::TriangleSoup two_shells(const geom::TriangleSoup& other, const Vec3& offset) {
+    auto soup = cube();
+    for (const auto& [i, j, k] : other.triangles) soup.triangles.push_back({i + 8, j + 8, k + 8});
+    for (const auto& p : other.positions) soup.positions.push_back(p + offset);
+    return soup;
+}
+
 geom::Mesh mesh(geom::TriangleSoup soup) {
     return {std::make_shared<const geom::TriangleMesh>(std::move(soup))};
 }
@@ -93,12 +101,32 @@ TEST_CASE("a mesh that is folded, but not through itself, is fine", "[inspect]")
     CHECK(check_mesh(soup).empty());
 }
 
+TEST_CASE("a shell that is in the mesh twice is a note", "[inspect]") {
+    const auto findings = check_mesh(two_shells(cube(), Vec3{0.0}));
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "repeated-triangles");
+    CHECK(findings[0].text.find("12 pairs of triangles") != std::string::npos);
+    CHECK_FALSE(inspect::has_warnings(findings));
+    CHECK(findings[0].triangles.size() == 2);
+    // No copy, but a shell that shares a face with the other, back to back.
+    CHECK(check_mesh(two_shells(cube(), {2.0, 0.0, 0.0})).empty());
+}
+
+TEST_CASE("a gap between shells of a mesh that is too thin to be meant is found", "[inspect]") {
+    const auto findings = check_mesh(two_shells(cube(), {2.0 + 1e-9, 0.0, 0.0}));
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].lint == "thin-gap");
+    CHECK(inspect::has_warnings(findings));
+    REQUIRE(findings[0].depth);
+    CHECK(*findings[0].depth == Approx(1e-9).epsilon(1e-6));
+    REQUIRE(findings[0].position);
+    CHECK(findings[0].position->x == Approx(1.0));
+    CHECK(check_mesh(two_shells(cube(), {2.0 + 1e-4, 0.0, 0.0})).empty());
+    CHECK(check_mesh(two_shells(cube(), {2.0 + 1e-15, 0.0, 0.0})).empty());  // as good as touching
+}
+
 TEST_CASE("two shells that overlap are a union: a note, with the place", "[inspect]") {
-    auto soup = cube();
-    const auto other = cube();
-    for (const auto& [i, j, k] : other.triangles) soup.triangles.push_back({i + 8, j + 8, k + 8});
-    for (const auto& p : other.positions) soup.positions.push_back(p + Vec3{1.5, 1.5, 1.5});
-    const auto findings = check_mesh(soup);
+    const auto findings = check_mesh(two_shells(cube(), {1.5, 1.5, 1.5}));
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].lint == "nested-shells");
     CHECK_FALSE(inspect::has_warnings(findings));
@@ -124,13 +152,7 @@ TEST_CASE("triangles without area are noted", "[inspect]") {
 
 TEST_CASE("a shell within a shell is noted where it is no cavity", "[inspect]") {
     const auto with_inner = [](bool cavity) {
-        auto soup = cube();
-        const auto inner = cube(0.5, cavity);
-        for (const auto& triangle : inner.triangles) {
-            soup.triangles.push_back({triangle[0] + 8, triangle[1] + 8, triangle[2] + 8});
-        }
-        for (const auto& position : inner.positions) soup.positions.push_back(position);
-        return check_mesh(soup);
+        return check_mesh(two_shells(cube(0.5, cavity), Vec3{0.0}));
     };
     const auto findings = with_inner(false);
     REQUIRE(findings.size() == 1);

@@ -97,7 +97,7 @@ std::size_t cuts(const SelfIntersections& found) {
 std::size_t cuts(TriangleSoup soup) { return cuts(found_in(std::move(soup))); }
 
 bool is_clean(const SelfIntersections& found) {
-    return cuts(found) == 0 && !found.overlaps && !found.folds;
+    return cuts(found) == 0 && !found.overlaps && !found.folds && !found.repeated;
 }
 
 }  // namespace
