@@ -1,165 +1,14 @@
 #include "inspect/containment.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
 
 #include "inspect/sample_lines.hpp"
+#include "tracer/containment.hpp"
 
 namespace meniscus::inspect {
 namespace {
 
-using geom::Vec3;
 using tracer::Part;
-
-/// A circle, thickened by a ball that runs along it: a point, a ball and a torus are special cases.
-/// A shape is inside a convex one if all rings are whose hull holds it.
-struct Ring {
-    Vec3 center;
-    Vec3 axis{0.0, 1.0, 0.0};  // unit length
-    double radius = 0.0, thickness = 0.0;
-};
-using Rings = std::vector<Ring>;
-
-Ring point(const Vec3& p) { return {p}; }
-
-void add_corners(const geom::Bounds& box, Rings& rings) {
-    for (int i = 0; i < 8; ++i) {
-        rings.push_back(point({i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
-                               i & 4 ? box.high.z : box.low.z}));
-    }
-}
-
-// Each shape's rings, in its own frame.
-
-Rings rings_of(const geom::Sphere& s) { return {{s.center, {0.0, 1.0, 0.0}, 0.0, s.radius}}; }
-Rings rings_of(const geom::Cylinder& c) {
-    const Vec3 axis = glm::normalize(c.cap - c.base);
-    return {{c.base, axis, c.radius, 0.0}, {c.cap, axis, c.radius, 0.0}};
-}
-Rings rings_of(const geom::Cone& c) {
-    const Vec3 axis = glm::normalize(c.cap - c.base);
-    return {{c.base, axis, c.base_radius, 0.0}, {c.cap, axis, c.cap_radius, 0.0}};
-}
-Rings rings_of(const geom::Torus& t) { return {{Vec3{0.0}, {0.0, 1.0, 0.0}, t.major, t.minor}}; }
-Rings rings_of(const geom::Mesh& mesh) {
-    Rings rings;
-    for (std::size_t i = 0; i < mesh.triangles->size(); ++i) {
-        for (const Vec3& corner : mesh.triangles->corners(geom::Face(i)))
-            rings.push_back(point(corner));
-    }
-    return rings;
-}
-Rings rings_of(const geom::Lathe& lathe) {
-    Rings rings;
-    if (lathe.spline() != geom::Spline::linear) return rings;
-    for (const auto& p : lathe.points())
-        rings.push_back({{0.0, p.y, 0.0}, {0.0, 1.0, 0.0}, p.x, 0.0});
-    return rings;
-}
-Rings rings_of(const geom::Box& box) {
-    Rings rings;
-    add_corners(box.bounds(), rings);
-    return rings;
-}
-template <class Other>
-Rings rings_of(const Other&) {
-    return {};
-}
-
-/// The factor of a map that keeps angles; none for others.
-std::optional<double> uniform_scale(const geom::Mat3& m) {
-    const double scale = glm::length(m[0]);
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(glm::length(m[i]) - scale) > 1e-12 * scale) return std::nullopt;
-        if (std::abs(glm::dot(m[i], m[(i + 1) % 3])) > 1e-12 * scale * scale) return std::nullopt;
-    }
-    return scale;
-}
-
-/// Rings under a map: exactly, or, where circles become ellipses, the corners of a box round each;
-/// then they are not `exact`.
-Rings moved(const Rings& rings, const geom::Transform& map, bool& exact) {
-    if (map.is_identity()) return rings;
-    const auto scale = uniform_scale(map.linear());
-    Rings result;
-    for (const Ring& ring : rings) {
-        if (scale) {
-            result.push_back({map.point(ring.center), glm::normalize(map.vector(ring.axis)),
-                              *scale * ring.radius, *scale * ring.thickness});
-            continue;
-        }
-        if (ring.radius + ring.thickness > 0.0) exact = false;
-        const auto first = result.size();
-        add_corners(geom::Bounds{ring.center, ring.center}.padded(ring.radius + ring.thickness),
-                    result);
-        for (auto i = first; i < result.size(); ++i) result[i].center = map.point(result[i].center);
-    }
-    return result;
-}
-
-/// How far the ring reaches along a unit vector.
-double reach(const Ring& ring, const Vec3& n) {
-    const double across = std::sqrt(std::max(0.0, 1.0 - std::pow(glm::dot(n, ring.axis), 2)));
-    return glm::dot(n, ring.center) + ring.radius * across + ring.thickness;
-}
-
-// How far a ring sticks out of a shape, at the most; below 0: it lies inside. None: not known.
-
-std::optional<double> excess(const geom::Plane& plane, const Ring& ring) {
-    return reach(ring, plane.normal(0, Vec3{0.0})) - plane.distance;
-}
-std::optional<double> excess(const geom::Box& box, const Ring& ring) {
-    double most = -geom::infinity;
-    for (int axis = 0; axis < 3; ++axis) {
-        Vec3 n{0.0};
-        n[axis] = 1.0;
-        most =
-            std::max({most, reach(ring, n) - box.high()[axis], reach(ring, -n) + box.low()[axis]});
-    }
-    return most;
-}
-std::optional<double> excess(const geom::Sphere& sphere, const Ring& ring) {
-    const Vec3 away = ring.center - sphere.center;
-    const double along = glm::dot(away, ring.axis);
-    const double across = glm::length(away - along * ring.axis);
-    return std::hypot(along, across + ring.radius) + ring.thickness - sphere.radius;
-}
-std::optional<double> excess(const geom::Cylinder& cylinder, const Ring& ring) {
-    const Vec3 axis = glm::normalize(cylinder.cap - cylinder.base);
-    const Vec3 away = ring.center - cylinder.base;
-    const double across = glm::length(away - glm::dot(away, axis) * axis);
-    return std::max({reach(ring, axis) - glm::dot(axis, cylinder.cap),
-                     reach(ring, -axis) + glm::dot(axis, cylinder.base),
-                     across + ring.radius + ring.thickness - cylinder.radius});
-}
-template <class Other>
-std::optional<double> excess(const Other&, const Ring&) {
-    return std::nullopt;
-}
-
-/// None if these two shapes, as they are moved, do not allow an answer.
-std::optional<bool> is_certainly_contained(const Part& inner, const Part& outer) {
-    const Rings own = std::visit([](const auto& s) { return rings_of(s); }, inner.shape.shape());
-    if (own.empty()) return std::nullopt;
-    bool exact = true;
-    const auto rings =
-        moved(moved(own, inner.shape.transform(), exact), outer.shape.transform().inverse(), exact);
-    return std::visit(
-        [&](const auto& shape) -> std::optional<bool> {
-            double size = shape.magnitude();
-            for (const Ring& ring : rings) size = std::max(size, geom::max_abs(ring.center));
-            for (const Ring& ring : rings) {
-                const auto out = excess(shape, ring);
-                if (!out) return std::nullopt;
-                if (!(*out <= 16.0 * geom::unit_roundoff * size))
-                    return exact ? std::optional(false) : std::nullopt;
-            }
-            return true;
-        },
-        outer.shape.shape());
-}
 
 bool is_inside_on_lines(const Part& inner, const Part& outer) {
     constexpr int lines_per_axis = 24;
@@ -181,7 +30,7 @@ bool is_inside_on_lines(const Part& inner, const Part& outer) {
 
 Containment contained(const Part& inner, const Part& outer) {
     if (inner.inverse || outer.inverse || !inner.shape.bounds().is_finite()) return Containment::no;
-    const auto certain = is_certainly_contained(inner, outer);
+    const auto certain = tracer::is_contained(inner.shape, outer.shape, 0.0);
     if (certain && *certain) return Containment::certain;
     if (certain && outer.shape.transform().is_identity()) return Containment::no;
     return is_inside_on_lines(inner, outer) ? Containment::sampled : Containment::no;

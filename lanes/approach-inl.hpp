@@ -20,8 +20,9 @@ HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
     batch.unsure = no_lanes();
     batch.near_spheres = 0;
     if (cares_for_shades(batch)) return approach_shades(batch, found);
-    for (const int i : program_.balls) approach_ball(batch, found, std::size_t(i));
-    for (const int i : program_.cheap_first) {
+    const Surroundings& around = *batch.around;
+    for (const int i : around.balls) approach_ball(batch, found, std::size_t(i));
+    for (const int i : around.others) {
         const Solid& solid = program_.solids[std::size_t(i)];
         switch (solid.way) {
             case Way::ball:
@@ -45,11 +46,8 @@ HWY_INLINE void Kernel::approach(Batch& batch, Findings& found) {
                 approach_any(batch, found, std::size_t(i));
         }
     }
-    if (!program_.groups.empty()) find_small_spheres(batch, found);
-    for (const int i : program_.foreign) {
-        if (program_.solids[std::size_t(i)].way != Way::mesh)
-            approach_any(batch, found, std::size_t(i));
-    }
+    if (around.small_spheres) find_small_spheres(batch, found);
+    for (const int i : around.foreign) approach_any(batch, found, std::size_t(i));
     if (program_.has_meshes) approach_meshes(batch, found);
 }
 
@@ -89,7 +87,7 @@ HWY_INLINE void Kernel::approach_ball(Batch& batch, Findings& found, std::size_t
     batch.crossing_end[i] = end;
     found.second = min(found.second, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
-    come_to(batch, found, solid, i, t, F(0.0), hidden_from(batch, solid));
+    come_to(batch, found, solid, i, t, F(0.0));
 }
 
 /// Half-spaces that stand in no list: where a ray was not born on them its place tells on which
@@ -107,7 +105,7 @@ HWY_INLINE void Kernel::approach_floor(Batch& batch, Findings& found, std::size_
     word = but_not(word, bit) | only(inside, bit);
     const M crosses = select_mask(inside, F(0.0) < slope, slope < F(0.0));
     const F t = select(crosses, max(but_not(has_contact, depth / slope), F(0.0)), F(infinity));
-    come_to(batch, found, solid, i, t, F(0.0), no_lanes());
+    come_to(batch, found, solid, i, t, F(0.0));
 }
 
 /// What a convex solid's span means to rays, of which some start `inside`.
@@ -120,7 +118,7 @@ HWY_INLINE void Kernel::come_to_span(Batch& batch, Findings& found, const Solid&
     batch.crossing_end[i] = end;
     found.second = min(found.second, end);
     const F t = select(inside, t1, select(enters, t0, F(infinity)));
-    come_to(batch, found, solid, i, t, face, hidden_from(batch, solid));
+    come_to(batch, found, solid, i, t, face);
 }
 
 /// Cylinders that stand in the list and that all rays see, where they were made.
@@ -227,7 +225,7 @@ HWY_INLINE void Kernel::approach_lathe(Batch& batch, Findings& found, std::size_
     found.doubt = found.doubt | (near & (next.doubt | (next.odd ^ inside) | (end < t)));
     found.third = min(found.third, select(near, end, F(infinity)));
     come_to(batch, found, solid, i, select(near, t, F(infinity)),
-            select(inside, next.leave_face, next.enter_face), hidden_from(batch, solid));
+            select(inside, next.leave_face, next.enter_face));
 }
 
 /// Any other solid, by its stretches.
@@ -269,23 +267,24 @@ HWY_INLINE void Kernel::approach_any(Batch& batch, Findings& found, std::size_t 
         found.second = min(found.second, end);
     }
     if (!has_faces(solid.kind)) face = F(0.0);
-    come_to(batch, found, solid, i, t, face,
-            solid.rank >= 0 ? hidden_from(batch, solid) : no_lanes());
+    come_to(batch, found, solid, i, t, face);
 }
 
 /// Where a ray next crosses solid `i`.
 HWY_INLINE void Kernel::come_to(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
-                                F t, F face, M hidden) {
+                                F t, F face) {
     batch.crossing[i] = t;
     found.second = min(found.second, max(found.first, t));
     found.first = min(found.first, t);
+    if (has_faces(solid.kind)) batch.crossing_face[i] = face;
+    const Hiding hiding = batch.around->hiding[i];
+    if (hiding == Hiding::always) return;
     Crossing& nearest = found.nearest;
-    const M nearer = but_not(t < nearest.t, hidden);
+    M nearer = t < nearest.t;
+    if (hiding == Hiding::by_list) nearer = but_not(nearer, hidden_from(batch, solid));
     nearest.t = select(nearer, t, nearest.t);
     nearest.index = select(nearer, U(i), nearest.index);
-    if (!program_.has_faces) return;
-    if (has_faces(solid.kind)) batch.crossing_face[i] = face;
-    nearest.face = select(nearer, face, nearest.face);
+    if (program_.has_faces) nearest.face = select(nearer, face, nearest.face);
 }
 
 }  // namespace meniscus::lanes::HWY_NAMESPACE

@@ -62,11 +62,11 @@ struct Medium {
     M dressed, attenuates;
 
     Medium() = default;
-    HWY_INLINE explicit Medium(const Member& outside)
-        : ior(outside.ior),
-          medium(double(outside.medium)),
-          dressed(no_lanes()),
-          attenuates(outside.attenuates ? !no_lanes() : no_lanes()) {}
+    HWY_INLINE explicit Medium(const Member& member)
+        : ior(member.ior),
+          medium(double(member.medium)),
+          dressed(member.clear ? no_lanes() : !no_lanes()),
+          attenuates(member.attenuates ? !no_lanes() : no_lanes()) {}
 
     /// Where `which`, the rays are in the solid.
     HWY_INLINE void become(M which, const Listed& solid, const Program& program) {
@@ -178,6 +178,7 @@ struct Batch {
     RayStack* stack = nullptr;       // where the rays stood
     std::size_t size = 0, base = 0;  // rays, and the place of the first
     bool is_shadow = false;          // all of them go to lights, or none
+    const Surroundings* around = nullptr;
     // As they set out.
     Rays rays;
     F3 throughput;
@@ -185,7 +186,7 @@ struct Batch {
     U code, key, sphere_contacts, mesh_contacts;
     List inside;
     M is_mirrored;
-    // Where each solid is next crossed, and on which face.
+    // Where each solid that they may come to is next crossed, and on which face.
     F crossing[most_solids], crossing_face[most_solids];
     F crossing_end[most_solids];  // where they are left again that are entered there, if `has_end`
     // Where each solid's stretches of the rays lie (2 i and 2 i + 1 for solid i).

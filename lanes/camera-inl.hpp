@@ -18,7 +18,7 @@ inline void Kernel::add_camera_rays() {
     // Some more than a step takes: to add them has a cost of its own.
     constexpr std::size_t wanted = 4 * lanes;
     const Camera* const camera = host_.camera();
-    if (!camera) return host_.more_rays(stacks_.in_the_open(), wanted);
+    if (!camera) return host_.more_rays(stacks_, wanted);
     RayStack& stack = stacks_.bin_of(camera->start.inside);
     static_assert(wanted <= FilmPoints::most);
     const std::size_t count = host_.more_points(points_, wanted);

@@ -72,7 +72,7 @@ public:
 
 private:
     void add_camera_rays();
-    void step(RayStack& stack, bool is_shadow);
+    void step(RayStack& stack, const Surroundings& around, bool is_shadow);
     HWY_INLINE void take(Batch& batch, RayStack& stack, bool is_shadow);
     HWY_INLINE void approach(Batch& batch, Findings& found);
     HWY_INLINE void approach_shades(Batch& batch, Findings& found);
@@ -93,7 +93,7 @@ private:
     HWY_INLINE void come_to_span(Batch& batch, Findings& found, const Solid& solid, std::size_t i,
                                  M inside, F t0, F t1, M exists, F face);
     HWY_INLINE void come_to(Batch& batch, Findings& found, const Solid& solid, std::size_t i, F t,
-                            F face, M hidden);
+                            F face);
     HWY_NOINLINE void find_stretches(Batch& batch, Findings& found);
     bool ask(Batch& batch, F nearest, std::size_t i);
     HWY_INLINE void meet(Batch& batch, Findings& found, std::size_t i);

@@ -76,7 +76,7 @@ public:
     virtual std::size_t more_points(FilmPoints& /*points*/, std::size_t /*wanted*/) { return 0; }
     /// Pushes up to `wanted` further camera rays, none when all are under way; if there is no such
     /// camera.
-    virtual void more_rays(RayStack& stack, std::size_t wanted) = 0;
+    virtual void more_rays(Stacks& stacks, std::size_t wanted) = 0;
     /// The light of the sky in this direction, seen from the medium at `rank`.
     virtual geom::Vec3 sky(const geom::Vec3& direction, int rank) = 0;
     /// How much light is left after a way in the medium at `rank`.

@@ -83,7 +83,7 @@ HWY_INLINE void Kernel::change_lists(Batch& batch, const Crossing& nearest) {
     batch.owner_index = index;
     batch.face = nearest.face;
     batch.same = no_lanes();
-    batch.by_surface = met & is_surface(batch, index);
+    batch.by_surface = batch.around->surfaces ? met & is_surface(batch, index) : no_lanes();
     Medium owner = medium_of(index);
     const U place = shift_left(index, 2);
     if (program_.has_faces) {
@@ -118,6 +118,16 @@ HWY_INLINE void Kernel::change_bits(Batch& batch, const List& bit, const Medium&
         others.word[w] = but_not(inside, own);
         batch.before.word[w] = inside;
         batch.after.word[w] = inside ^ own;
+    }
+    const Surroundings& around = *batch.around;
+    if (around.is_open || around.top != no_rank) {
+        batch.medium_before =
+            Medium(around.is_open ? program_.outside : program_.members[std::size_t(around.top)]);
+        batch.medium_after = select(by_member, owner, batch.medium_before, program_);
+        if (const M into_rest = by_member & leaves; any(into_rest))
+            batch.medium_after =
+                select(into_rest, on_top(batch, others), batch.medium_after, program_);
+        return;
     }
     const Medium rest = on_top(batch, others);
     batch.medium_before = select(by_member & leaves, owner, rest, program_);
@@ -181,7 +191,8 @@ bool Kernel::count_together(Batch& batch, U nearest) {
     U contacts(0), mesh_contacts(0);
     F passes(0.0);
     M torn = no_lanes();
-    for (std::size_t i = 0; i < program_.solids.size(); ++i) {
+    for (const int index : batch.around->all) {
+        const auto i = std::size_t(index);
         const Solid& solid = program_.solids[i];
         if (!program_.one_tolerance) {
             const F tolerance = max(units * (far + max(pivot, F(solid.magnitude))), least);

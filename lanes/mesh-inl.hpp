@@ -80,7 +80,7 @@ HWY_INLINE void Kernel::approach_mesh(Batch& batch, Findings& found, std::size_t
     found.second = min(found.second, end);
     found.third = min(found.third, two.in);
     come_to(batch, found, solid, i, select(leaves, one.out, one.in),
-            select(leaves, one.face_out, one.face_in), hidden);
+            select(leaves, one.face_out, one.face_in));
 }
 
 /// Asks the host about the lines of `which`, no farther than their event may lie.

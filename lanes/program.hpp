@@ -168,6 +168,22 @@ struct Tie {
     std::vector<Places> kinds;
 };
 
+/// Whether something stronger is around where a ray crosses a solid.
+enum class Hiding { never, always, by_list };
+
+/// What is known of rays that are in one of a few solids and in nothing stronger, or in the open:
+/// what they may come to before they leave that. Solids are told by their places in the program.
+struct Surroundings {
+    Places places{};                          // of those few; none: the open
+    std::vector<int> all;                     // that they may come to, in the program's order
+    std::vector<int> balls, others, foreign;  // each by its code, meshes apart
+    std::vector<int> floors, cornered;        // whose faces have code of their own
+    bool lathes = true, small_spheres = true, surfaces = true;  // the rest
+    std::array<Hiding, most_solids> hiding{};                   // of all
+    bool is_open = false;                                       // they are in no solid
+    int top = no_rank;                                          // the solid, if it is one
+};
+
 /// A scene as tables: what the kernel needs to know of it and no more. Ranks sort the members by
 /// priority.
 struct Program {
@@ -199,7 +215,10 @@ struct Program {
     bool has_surfaces = true;               // solids that stand in no list
     bool has_faces = true;                  // solids of more than one face
     std::vector<int> meshes;                // the strongest first
-    bool only_opaque_shades = false;        // rays to lights care for `shades` alone, and no list
+    Surroundings everything;                // of rays that may be anywhere
+    std::vector<Surroundings> bins;   // those of rays that see wait in; the strongest solids first,
+                                      // the open last
+    bool only_opaque_shades = false;  // rays to lights care for `shades` alone, and no list
     std::vector<int> shades;
     bool has_meshes = false;
     bool has_dressed = true;       // members whose skins are not clear

@@ -21,7 +21,7 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
                   F3(geom::Vec3{0.0, 1.0, 0.0})};
     F owner_magnitude(program_.largest_magnitude);
     if (!program_.one_tolerance) owner_magnitude = look_up(table_.magnitude, index);
-    for (const int i : program_.floors) {
+    for (const int i : batch.around->floors) {
         const M on = here & (index == U(std::uint64_t(i)));
         if (!any(on)) continue;
         const Solid& solid = program_.solids[std::size_t(i)];
@@ -30,7 +30,7 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
         all.point = select(on, all.point + depth * n, all.point);
         all.normal = select(on, n, all.normal);
     }
-    for (const int i : program_.cornered) {
+    for (const int i : batch.around->cornered) {
         const M on = here & (index == U(std::uint64_t(i)));
         if (!any(on)) continue;
         const Solid& solid = program_.solids[std::size_t(i)];
@@ -39,7 +39,7 @@ HWY_INLINE void Kernel::put_on_faces(Batch& batch) {
         all.point = select(on, put.point, all.point);
         all.normal = select(on, solid.inverse ? F(-1.0) * put.normal : put.normal, all.normal);
     }
-    if (!profiles_.empty()) put_on_lathes(batch, here, all);
+    if (batch.around->lathes) put_on_lathes(batch, here, all);
     put_on_balls(batch, here, all, owner_magnitude);
     batch.point = all.point;
     batch.normal = all.normal;

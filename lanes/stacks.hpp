@@ -17,44 +17,28 @@ inline bool share(const Places& a, const Places& b) {
 }
 
 /// Rays that go to lights, and rays that see: what they need differs. Those that see wait in bins,
-/// by what they are in, so that those of one step have more in common: in the open no ray comes
-/// near the bubbles in a glass, in the glass none sees them, and only in the open are the floor and
-/// the sky met. In which bin a ray waits changes nothing but that.
+/// by the strongest solid that they are in, so that those of one step have more in common: they are
+/// asked only about what they may come to before they leave it. In which bin a ray waits changes
+/// nothing but that.
 class Stacks {
 public:
-    /// Bins for the strongest member and for others that are stronger than all small spheres, if
-    /// there are some; for all others; and for the open.
-    explicit Stacks(const Program& program) {
-        Places members{}, hiding{};
-        for (std::size_t rank = 0; rank < program.members.size(); ++rank) {
-            const std::uint64_t bit = 1ull << (rank % 64);
-            members[rank / 64] |= bit;
-            if (program.members[rank].in_group) {
-                hiding = {};
-            } else if (rank + 1 < program.members.size()) {
-                hiding[rank / 64] |= bit;
-            } else if (!program.groups.empty()) {
-                places_.emplace_back()[rank / 64] = bit;
-            }
-        }
-        if (!program.groups.empty() && hiding != Places{}) places_.push_back(hiding);
-        places_.push_back(members);
-        bins.resize(places_.size() + 1);
+    explicit Stacks(const Program& program) : bins(program.bins.size()) {
+        for (const Surroundings& bin : program.bins) places_.push_back(bin.places);
     }
 
     RayStack shadows;
-    std::vector<RayStack> bins;  // the last one: of rays in the open
+    std::vector<RayStack> bins;  // as the program's
 
-    /// What the rays in a bin are in, unless they are in what has an earlier one.
     const Places& places(std::size_t bin) const { return places_[bin]; }
     RayStack& in_the_open() { return bins.back(); }
     RayStack& bin_of(const Places& inside) {
         std::size_t i = 0;
-        while (i < places_.size() && !share(inside, places_[i])) ++i;
+        while (i + 1 < places_.size() && !share(inside, places_[i])) ++i;
         return bins[i];
     }
-    RayStack& fullest() {
-        return *std::ranges::max_element(bins, {}, [](const RayStack& bin) { return bin.size(); });
+    std::size_t fullest() const {
+        const auto most = std::ranges::max_element(bins, {}, &RayStack::size);
+        return std::size_t(most - bins.begin());
     }
 
 private:

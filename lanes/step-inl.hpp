@@ -24,26 +24,33 @@ HWY_BEFORE_NAMESPACE();
 namespace meniscus::lanes::HWY_NAMESPACE {
 
 Counts Kernel::run() {
+    std::size_t bin = 0;
     while (true) {
         if (stacks_.shadows.size() >= lanes) {
-            step(stacks_.shadows, true);
+            step(stacks_.shadows, program_.everything, true);
             continue;
         }
-        if (stacks_.fullest().size() < lanes) add_camera_rays();
-        if (RayStack& rays = stacks_.fullest(); rays.size() > 0) {
-            step(rays, false);
+        if (stacks_.bins[bin].size() < lanes) bin = stacks_.fullest();
+        if (stacks_.bins[bin].size() < lanes) {
+            add_camera_rays();
+            bin = stacks_.fullest();
+        }
+        if (stacks_.bins[bin].size() > 0) {
+            step(stacks_.bins[bin], program_.bins[bin], false);
         } else if (stacks_.shadows.size() > 0) {
-            step(stacks_.shadows, true);
+            step(stacks_.shadows, program_.everything, true);
         } else {
             return counts_;
         }
     }
 }
 
-void Kernel::step(RayStack& stack, bool is_shadow) {
+void Kernel::step(RayStack& stack, const Surroundings& around, bool is_shadow) {
     Batch batch;
+    batch.around = &around;
     take(batch, stack, is_shadow);
     if (Findings found; approach(batch, found), !list_event(batch, found)) {
+        batch.around = &program_.everything;
         Findings whole;
         find_stretches(batch, whole);
         find_event(batch, whole);
@@ -117,7 +124,7 @@ HWY_INLINE void Kernel::tell_surfaces(Batch& batch) {
     batch.glass = but_not(clear, batch.nothing);
     batch.dressed = but_not(but_not(batch.met, batch.nothing), batch.glass);
     batch.painted = no_lanes();
-    if (any(batch.by_surface)) {
+    if (batch.around->surfaces && any(batch.by_surface)) {
         if (program_.all_painted) {
             batch.painted = batch.by_surface;
         } else {

@@ -104,7 +104,7 @@ void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
     statistics_.single_rays += counts.handed_over;
 }
 
-void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
+void LaneHost::more_rays(lanes::Stacks& stacks, std::size_t wanted) {
     for (; wanted > 0 && next_sample_ < samples_->size(); ++next_sample_) {
         const Sample& sample = (*samples_)[next_sample_];
         const geom::Ray camera =
@@ -122,7 +122,7 @@ void LaneHost::more_rays(lanes::RayStack& stack, std::size_t wanted) {
         ray.throughput = Rgb{sample.weight};
         ray.code = sample.target;
         ray.key = sample.key;
-        stack.push(ray);
+        stacks.bin_of(ray.inside).push(ray);
         --wanted;
     }
 }

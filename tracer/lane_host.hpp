@@ -25,7 +25,7 @@ public:
 
     const lanes::Camera* camera() const override { return camera_ ? &*camera_ : nullptr; }
     std::size_t more_points(lanes::FilmPoints& points, std::size_t wanted) override;
-    void more_rays(lanes::RayStack& stack, std::size_t wanted) override;
+    void more_rays(lanes::Stacks& stacks, std::size_t wanted) override;
     geom::Vec3 sky(const geom::Vec3& direction, int rank) override;
     geom::Vec3 transmittance(int rank, double way, bool of_shadow) override;
     geom::Vec3 shade(const lanes::Surface& surface, lanes::Stacks& stacks) override;

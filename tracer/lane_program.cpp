@@ -6,6 +6,7 @@
 
 #include "tracer/brightness.hpp"
 #include "tracer/interior_list.hpp"
+#include "tracer/lane_bins.hpp"
 #include "tracer/lane_groups.hpp"
 #include "tracer/lane_paints.hpp"
 #include "tracer/lane_solid.hpp"
@@ -275,6 +276,7 @@ lanes::Program make(const RenderScene& scene, const Options& options) {
             return 0;
         return solid.kind == lanes::Kind::lathe ? 2 : lanes::is_costly(solid.kind) ? 1 : 0;
     });
+    make_bins(scene, program);
     program.attenuates = scene.has_attenuation;
     make_paints(scene, program);
     program.grey = is_grey(program, options);

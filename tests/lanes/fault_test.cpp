@@ -41,7 +41,7 @@ public:
         handed_over = lanes::run(program_, *this, stacks, sums.data()).handed_over;
     }
 
-    void more_rays(lanes::RayStack& stack, std::size_t wanted) override {
+    void more_rays(lanes::Stacks& stacks, std::size_t wanted) override {
         for (; wanted > 0 && next_ < options_.width * options_.height; ++next_, --wanted) {
             const auto start = tree_.events().start(
                 tracer::camera_ray(scene_.source.camera, next_ % options_.width + 0.5,
@@ -53,7 +53,7 @@ public:
             ray.throughput = scene::Rgb{1.0};
             ray.birth_magnitude = start.birth.magnitude;
             ray.code = std::uint64_t(next_);
-            stack.push(ray);
+            stacks.bin_of(ray.inside).push(ray);
         }
     }
     geom::Vec3 sky(const geom::Vec3& direction, int rank) override {
@@ -185,7 +185,15 @@ TEST_CASE("a solid that some rays do not meet in lanes is counted", "[lanes][fau
             solid.to_camera = false;
             // What not all rays meet has no short way of its own.
             solid.way = lanes::Way::any;
-            std::erase(program.balls, int(&solid - program.solids.data()));
+            lanes::Surroundings anywhere = program.everything;
+            std::erase(anywhere.balls, int(&solid - program.solids.data()));
+            if (solid.kind == lanes::Kind::sphere)
+                anywhere.others.push_back(int(&solid - program.solids.data()));
+            // They come to what is held by it, too.
+            for (lanes::Surroundings& bin : program.bins) {
+                anywhere.places = bin.places;
+                bin = anywhere;
+            }
         });
         INFO(geom::keyword(shape));
         check_blamed(found);
