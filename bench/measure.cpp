@@ -15,11 +15,14 @@ class Subject {
 public:
     Subject(const Setup& setup, Model model) : model_(model), scene_(scene_of(setup, model)) {}
 
-    const tracer::RenderScene& compiled(const std::optional<Limits>& limits) {
-        if (!compiled_ || compiled_limits_ != limits) {
+    const tracer::RenderScene& compiled(const std::optional<Limits>& limits,
+                                        tracer::InteriorMode mode) {
+        const auto hidden = tracer::hidden_in(mode);
+        if (!compiled_ || compiled_limits_ != limits || compiled_hidden_ != hidden) {
             compiled_.reset();
-            compiled_ = tracer::compile(with(scene_, limits));
+            compiled_ = tracer::compile(with(scene_, limits), hidden);
             compiled_limits_ = limits;
+            compiled_hidden_ = hidden;
         }
         return *compiled_;
     }
@@ -57,6 +60,7 @@ private:
     std::optional<tracer::RenderScene> compiled_;
     std::string exported_;
     std::optional<Limits> compiled_limits_, exported_limits_;
+    tracer::Hidden compiled_hidden_{};
 };
 
 void clip(image::Image& picture) {
@@ -105,8 +109,8 @@ private:
                             setup_.reference_samples));
             tracer::Options options = shared_options();
             options.depth = setup_.sweep.depth;
-            auto reference =
-                make_reference(subject(model).compiled({}), options, setup_.reference_samples);
+            auto reference = make_reference(subject(model).compiled({}, options.interior), options,
+                                            setup_.reference_samples);
             if (!reference.is_complete) return;
             if (result_.is_clipped) clip(reference.picture);
             say(fmt::format("    its own error {:.2e}", reference.rmse));
@@ -147,7 +151,8 @@ private:
         options.height = shared.height;
         options.interrupted = shared.interrupted;
         options.threads = setup_.threads;
-        const auto& scene = subject(row.contender.model).compiled(row.contender.limits);
+        const auto& scene =
+            subject(row.contender.model).compiled(row.contender.limits, options.interior);
         tracer::Rendered rendered;
         repeat_short(row, [&] {
             rendered = tracer::render(scene, options);

@@ -89,7 +89,8 @@ ExitCode run(RenderOptions options) {
     if (interpreted.scene.settings.raw_output && options.picture.encoding.empty())
         target.save.png.encoding = image::Encoding::raw;
     const auto render_scene =
-        tracer::compile(in_model(std::move(interpreted.scene), options.model, options.quiet));
+        tracer::compile(in_model(std::move(interpreted.scene), options.model, options.quiet),
+                        tracer::hidden_in(tracer_options.interior));
     const auto open_meshes = inspect::check_open_meshes(render_scene);
     for (const auto& warning : as_warnings(open_meshes, options.scene.file_name())) {
         print_diagnostic(lang::format(warning));

@@ -23,7 +23,8 @@ tracer::Rendered render(const SceneOptions& options, scene::Scene scene) {
     tracer_options.height = options.height;
     tracer_options.sampling = tracer::GridSampling{1};
     tracer_options.threads = 1;
-    return tracer::render(tracer::compile(std::move(scene)), tracer_options);
+    return tracer::render(tracer::compile(std::move(scene), tracer::Hidden::left_out),
+                          tracer_options);
 }
 
 /// As POV-Ray's picture is.

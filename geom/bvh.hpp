@@ -47,9 +47,18 @@ public:
     }
     /// Visits boxes that share a point with `region`.
     template <class Visit>
-    void overlapping(const Bounds& region, Visit&& visit) const;
+    void overlapping(const Bounds& region, Visit&& visit) const {
+        if (!empty() && overlap(region, bounds_)) select<false>(region, visit);
+    }
+    /// Visits boxes that hold all of `region`, and now and then one that nearly does.
+    template <class Visit>
+    void holding(const Bounds& region, Visit&& visit) const {
+        if (!empty()) select<true>(region, visit);
+    }
 
 private:
+    template <bool holds, class Visit>
+    void select(const Bounds& region, Visit& visit) const;
     template <class Visit>
     void walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) const;
     template <class Visit>
@@ -124,9 +133,8 @@ void Bvh::walk(const Ray& ray, double t_min, const double& t_max, Visit& visit) 
     }
 }
 
-template <class Visit>
-void Bvh::overlapping(const Bounds& region, Visit&& visit) const {
-    if (empty() || !overlap(region, bounds_)) return;
+template <bool holds, class Visit>
+void Bvh::select(const Bounds& region, Visit& visit) const {
     const Bounds seen{region.low - frame_.center, region.high - frame_.center};
     BvhStack stack;
     int size = 0;
@@ -139,12 +147,13 @@ void Bvh::overlapping(const Bounds& region, Visit&& visit) const {
         }
         const BvhNode& node = nodes_[entry.child];
         for (int child = 0; child < BvhNode::width; ++child) {
-            bool apart = false;
+            bool is_visited = true;
             for (int axis = 0; axis < 3; ++axis) {
-                apart |= !(node.sides[axis][0][child] <= seen.high[axis] &&
-                           node.sides[axis][1][child] >= seen.low[axis]);
+                const auto low = node.sides[axis][0][child], high = node.sides[axis][1][child];
+                is_visited &= holds ? low <= seen.low[axis] && high >= seen.high[axis]
+                                    : low <= seen.high[axis] && high >= seen.low[axis];
             }
-            if (!apart) stack[size++] = {node.child[child], 0.0f};
+            if (is_visited) stack[size++] = {node.child[child], 0.0f};
         }
     }
 }

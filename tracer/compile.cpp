@@ -1,5 +1,9 @@
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "tracer/hidden.hpp"
 #include "tracer/render_scene.hpp"
 
 namespace meniscus::tracer {
@@ -63,34 +67,25 @@ void gather_spheres(RenderScene& scene) {
     if (count >= many_spheres) scene.bvh_spheres = std::move(spheres);
 }
 
-}  // namespace
-
-RenderScene compile(scene::Scene source) {
-    RenderScene result;
-    result.source = std::move(source);
-    const scene::Scene& scene = result.source;
-
+void add_parts(RenderScene& scene) {
     // A solid with several objects is a medium if any of them is.
-    std::vector<bool> solid_is_medium(scene.solids.size(), false);
-    for (const scene::Object& object : scene.objects) {
-        if (is_medium(scene.solids[object.solid], scene.textures[object.texture])) {
+    const scene::Scene& source = scene.source;
+    std::vector<bool> solid_is_medium(source.solids.size(), false);
+    for (const scene::Object& object : source.objects) {
+        if (is_medium(source.solids[object.solid], source.textures[object.texture]))
             solid_is_medium[object.solid] = true;
-        }
     }
-
-    geom::Bounds finite;
-    std::vector<geom::Bounds> bvh_bounds;
-    result.parts.reserve(scene.objects.size());
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const scene::Object& object = scene.objects[i];
-        const scene::Texture& texture = scene.textures[object.texture];
+    scene.parts.reserve(source.objects.size());
+    for (std::size_t i = 0; i < source.objects.size(); ++i) {
+        const scene::Object& object = source.objects[i];
+        const scene::Texture& texture = source.textures[object.texture];
         geom::PlacedShape shape(object.shape, object.transform);
         const bool closed = shape.is_closed();
-        result.parts.push_back(
+        scene.parts.push_back(
             {.shape = std::move(shape),
              .object = int(i),
              .solid = int(object.solid),
-             .priority = scene.solids[object.solid].interior.priority,
+             .priority = source.solids[object.solid].interior.priority,
              .is_member = closed && solid_is_medium[object.solid],
              .is_opaque = !texture.clear && !scene::lets_light_through(texture.pigment),
              .inverse = object.inverse,
@@ -98,33 +93,76 @@ RenderScene compile(scene::Scene source) {
              .no_image = object.no_image,
              .no_reflection = object.no_reflection,
              .double_illuminate = object.double_illuminate});
-        const Part& part = result.parts.back();
-        if (part.is_member) {
-            result.has_members = true;
-            if (part.no_image || part.no_reflection) result.selective.push_back(int(i));
-            if (scene.solids[object.solid].interior.attenuates()) result.has_attenuation = true;
-        }
-        const geom::Bounds& bounds = part.shape.bounds();
-        if (bounds.is_finite() && !part.inverse) {
-            finite.extend(bounds);
-            bvh_bounds.push_back(bounds);
-            result.bvh_parts.push_back(int(i));
+    }
+}
+
+/// Whether a part stands in the scene's hierarchy.
+bool is_finite(const Part& part) { return part.shape.bounds().is_finite() && !part.inverse; }
+
+void measure(RenderScene& scene) {
+    geom::Bounds finite;
+    for (const Part& part : scene.parts) {
+        if (is_finite(part)) finite.extend(part.shape.bounds());
+    }
+    if (!finite.is_empty()) scene.size = std::max(glm::length(finite.size()), 1e-300);
+    scene.contact_tolerance = scene.source.settings.contact_tolerance.value_or(0.0);
+}
+
+void build_hierarchy(RenderScene& scene) {
+    scene.bvh_parts.clear();
+    scene.unbounded.clear();
+    std::vector<geom::Bounds> bounds;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const Part& part = scene.parts[i];
+        if (is_finite(part)) {
+            bounds.push_back(part.shape.bounds());
+            scene.bvh_parts.push_back(int(i));
         } else {
-            result.unbounded.push_back(int(i));
+            scene.unbounded.push_back(int(i));
         }
     }
-    if (scene.settings.outside.attenuates()) result.has_attenuation = true;
-    result.bvh = geom::Bvh(bvh_bounds);
+    scene.bvh = geom::Bvh(bounds);
     std::vector<int> parts;
-    for (const std::uint32_t box : result.bvh.renumber()) parts.push_back(result.bvh_parts[box]);
-    result.bvh_parts = std::move(parts);
-    result.has_few_parts =
-        result.bvh_parts.size() <= few_parts &&
-        std::ranges::all_of(result.parts, [](const Part& part) { return is_cheap(part.shape); });
-    gather_spheres(result);
-    for (const Part& part : result.parts) result.priorities.push_back(part.priority);
-    if (!finite.is_empty()) result.size = std::max(glm::length(finite.size()), 1e-300);
-    result.contact_tolerance = scene.settings.contact_tolerance.value_or(0.0);
+    for (const std::uint32_t box : scene.bvh.renumber()) parts.push_back(scene.bvh_parts[box]);
+    scene.bvh_parts = std::move(parts);
+}
+
+/// What the parts that are left need.
+void take_stock(RenderScene& scene) {
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const Part& part = scene.parts[i];
+        scene.priorities.push_back(part.priority);
+        if (!part.is_member) continue;
+        scene.has_members = true;
+        if (part.no_image || part.no_reflection) scene.selective.push_back(int(i));
+        if (scene.source.solids[std::size_t(part.solid)].interior.attenuates())
+            scene.has_attenuation = true;
+    }
+    if (scene.source.settings.outside.attenuates()) scene.has_attenuation = true;
+    scene.has_few_parts =
+        scene.bvh_parts.size() <= few_parts &&
+        std::ranges::all_of(scene.parts, [](const Part& part) { return is_cheap(part.shape); });
+    gather_spheres(scene);
+}
+
+}  // namespace
+
+RenderScene compile(scene::Scene source, Hidden hidden) {
+    RenderScene result;
+    result.source = std::move(source);
+    const scene::Scene& scene = result.source;
+    add_parts(result);
+    measure(result);
+    build_hierarchy(result);
+    if (hidden == Hidden::left_out) {
+        if (const std::size_t count = leave_out_hidden(result); count > 0) {
+            build_hierarchy(result);
+            result.skipped.push_back(
+                fmt::format("hidden inside of what is stronger: {} of {} shapes", count,
+                            count + result.parts.size()));
+        }
+    }
+    take_stock(result);
 
     result.neighbours = find_neighbours(result);
     result.nesting = find_nesting(result);

@@ -160,4 +160,10 @@ std::optional<bool> is_contained(const PlacedShape& inner, const PlacedShape& ou
         outer.shape());
 }
 
+double room_to_spare(const RenderScene& scene) {
+    double largest = 0.0;
+    for (const Part& part : scene.parts) largest = std::max(largest, part.shape.magnitude());
+    return 1e-6 * (largest + scene.size) + 1000.0 * scene.contact_tolerance;
+}
+
 }  // namespace meniscus::tracer

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geom/placed_shape.hpp"
+#include "tracer/render_scene.hpp"
 
 namespace meniscus::tracer {
 
@@ -12,5 +13,8 @@ namespace meniscus::tracer {
 /// inner one finite and made of points and circles (all shapes but curved lathes).
 std::optional<bool> is_contained(const geom::PlacedShape& inner, const geom::PlacedShape& outer,
                                  double room);
+
+/// More than what any rounding or tolerance of the scene could be about, in scene units.
+double room_to_spare(const RenderScene& scene);
 
 }  // namespace meniscus::tracer

@@ -27,8 +27,7 @@ public:
         : scene_(scene),
           program_(program),
           // Twice what the kernel takes for near an event inside of a solid (`list_event`).
-          room_(1e-6 * (program.largest_magnitude + scene.size) +
-                1000.0 * scene.contact_tolerance) {}
+          room_(room_to_spare(scene)) {}
 
     /// Of rays whose strongest solids are those of ranks from `first` to `last`.
     lanes::Surroundings of_members(std::size_t first, std::size_t last) const {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tracer/brightness.hpp"
+#include "tracer/containment.hpp"
 #include "tracer/interior_list.hpp"
 #include "tracer/lane_bins.hpp"
 #include "tracer/lane_groups.hpp"
@@ -33,8 +34,7 @@ bool are_alike(const RenderScene& scene, const Part& a, const Part& b) {
            texture_of(scene, a).clear && texture_of(scene, b).clear;
 }
 
-bool may_meet(const RenderScene& scene, const Part& a, const Part& b) {
-    const double margin = 1e-6 * scene.size;
+bool may_meet(const Part& a, const Part& b, double margin) {
     return a.inverse || b.inverse || overlap(a.shape.bounds().padded(margin), b.shape.bounds());
 }
 
@@ -46,6 +46,7 @@ void compare_priorities(const RenderScene& scene, const std::vector<int>& member
     const auto part = [&](std::size_t rank) -> const Part& {
         return scene.parts[std::size_t(members[rank])];
     };
+    const double margin = room_to_spare(scene);
     for (std::size_t first = 0, end; first < members.size(); first = end) {
         end = first + 1;
         while (end < members.size() && part(end).priority == part(first).priority) ++end;
@@ -55,8 +56,9 @@ void compare_priorities(const RenderScene& scene, const std::vector<int>& member
             bool is_tied = false;
             for (std::size_t j = first; j < members.size(); ++j) {
                 const bool is_unlike = j < end && !are_alike(scene, part(i), part(j)) && i != j;
+                if (i == j || !may_meet(part(i), part(j), margin)) continue;
                 if (j > i && !is_unlike) mark(stronger, j);
-                if (!is_unlike || !may_meet(scene, part(i), part(j))) continue;
+                if (!is_unlike) continue;
                 // Between these is no surface, whatever they look like.
                 if (part(i).solid == part(j).solid)
                     throw CannotHave{"parts of one solid that meet and are not clear"};

@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 #include "tracer/neighbours.hpp"
 #include "tracer/nesting.hpp"
+#include "tracer/options.hpp"
 
 namespace meniscus::tracer {
 
@@ -65,7 +66,15 @@ struct RenderScene {
     std::vector<std::string> skipped;  // what this scene does not need
 };
 
-RenderScene compile(scene::Scene scene);
+/// Whether parts that no ray sees, inside of stronger ones, are in the scene: whoever looks at
+/// lists wants them.
+enum class Hidden { kept, left_out };
+/// `recast` counts what it crosses, `off` has no priorities.
+inline Hidden hidden_in(InteriorMode mode) {
+    return mode == InteriorMode::sweep ? Hidden::left_out : Hidden::kept;
+}
+
+RenderScene compile(scene::Scene scene, Hidden hidden = Hidden::kept);
 
 /// Finds the anchors that the scene asks for. `scene`'s parts and size are complete.
 void find_anchors(RenderScene& scene);

@@ -230,3 +230,15 @@ TEST_CASE("nor where many things are in a glass", "[lanes]") {
     // The water can be met from above, the red ball and the bubbles only within it.
     CHECK_FALSE(program.bins.back().small_spheres);
 }
+
+TEST_CASE("where no solids meet none can hide another", "[lanes]") {
+    const auto scene = scene_of(
+        "sphere { <0, 1, 0>, 1 material { ior 1.5 priority 3 } }\n"
+        "sphere { <3, 1, 0>, 1 material { ior 1.3 priority 2 } }\n"
+        "sphere { <6, 1, 0>, 1 material { ior 1.5 priority 1 } }\n");
+    const auto program = program_of(scene);
+    for (const lanes::Member& member : program.members) CHECK(member.stronger == lanes::Places{});
+    for (const auto& bin : program.bins) {
+        for (const int i : bin.all) CHECK(bin.hiding[std::size_t(i)] == lanes::Hiding::never);
+    }
+}

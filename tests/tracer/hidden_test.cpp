@@ -1,0 +1,123 @@
+// Solids inside of stronger ones are left out of the scene, where that is certain.
+
+#include "tracer/hidden.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "compare/metrics.hpp"
+#include "tests/random/random.hpp"
+#include "tests/tracer/scenes.hpp"
+#include "tests/tracer/shortcut.hpp"
+
+using namespace meniscus;
+using namespace meniscus::test;
+using tracer::Hidden;
+
+namespace {
+
+/// A glass ball of priority 2.
+scene::Scene paperweight() {
+    scene::Scene scene;
+    look(scene, {0.7, 1.0, -5.0});
+    scene.background.rgb = scene::Rgb{0.5, 0.6, 0.9};
+    add_glass(scene, geom::Sphere{Vec3{0.0}, 1.0}, 1.5, 2.0);
+    return scene;
+}
+
+std::size_t left_out(const scene::Scene& scene) {
+    return scene.objects.size() - tracer::compile(scene, Hidden::left_out).parts.size();
+}
+
+}  // namespace
+
+TEST_CASE("what is hidden in stronger solids is left out and no picture changes", "[tracer]") {
+    const auto kernel = GENERATE(tracer::Kernel::general, tracer::Kernel::automatic);
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Random random(seed);
+        auto scene = paperweight();
+        add_opaque(scene, geom::Plane{{0.0, 1.0, 0.0}, -1.0},
+                   matte(checker(scene::Rgb{0.2}, scene::Rgb{0.9})));
+        scene::Light light;
+        light.position = {3.0, 5.0, -4.0};
+        light.color = scene::Rgb{1.0};
+        scene.lights.push_back(light);
+        add_glass(scene, geom::Box{{0.3, -1.0, -1.5}, {1.8, 0.5, 1.0}}, 1.3, 1.0);
+        // In the ball, in the box, in both or neither.
+        for (int i = 0; i < 40; ++i)
+            add_glass(scene, geom::Sphere{random.point(-1.5, 1.5), random.between(0.05, 0.2)}, 1.2,
+                      i % 4 == 0 ? 1.5 : 0.0, scene::Rgb{i % 3 == 0 ? 0.5 : 0.0});
+        const auto all = tracer::compile(scene);
+        const auto seen = tracer::compile(scene, Hidden::left_out);
+        INFO("seed " << seed << ", " << seen.parts.size() << " of " << all.parts.size());
+        REQUIRE(all.parts.size() == scene.objects.size());
+        CHECK(seen.parts.size() + 3 < all.parts.size());
+        CHECK(seen.parts.size() > 3);
+        CHECK(seen.size == all.size);
+        const auto with = tracer::render(all, full_trees(kernel));
+        const auto without = tracer::render(seen, full_trees(kernel));
+        CHECK(compare::measure(with.picture, without.picture, 0.0).largest == 0.0);
+        CHECK(without.statistics.segments == with.statistics.segments);
+        CHECK(without.statistics.true_crossings == with.statistics.true_crossings);
+        CHECK(without.statistics.false_crossings < with.statistics.false_crossings);
+        CHECK(with.statistics.leaks + without.statistics.leaks == 0);
+    }
+}
+
+TEST_CASE("a ball hidden in a stronger one costs no crossing, and it is told", "[tracer]") {
+    auto scene = paperweight();
+    const auto alone = tracer::render(tracer::compile(scene), full_trees(tracer::Kernel::general));
+    add_glass(scene, geom::Sphere{{0.1, 0.0, 0.0}, 0.5}, 1.3, 1.0, scene::Rgb{0.5});
+    const auto seen = tracer::compile(scene, Hidden::left_out);
+    CHECK(seen.parts.size() == 1);
+    CHECK_FALSE(seen.has_attenuation);
+    CHECK(std::ranges::count(seen.skipped, "hidden inside of what is stronger: 1 of 2 shapes") ==
+          1);
+    const auto found = tracer::render(seen, full_trees(tracer::Kernel::general)).statistics;
+    CHECK(found.casts == alone.statistics.casts);
+    CHECK(found.false_crossings == 0);
+    const auto kept =
+        tracer::render(tracer::compile(scene), full_trees(tracer::Kernel::general)).statistics;
+    CHECK(kept.false_crossings > 0);
+}
+
+TEST_CASE("what may be seen is not left out", "[tracer]") {
+    const auto with = [](const geom::Shape& shape, double priority, auto&& change) {
+        auto scene = paperweight();
+        auto& inner = add_glass(scene, shape, 1.3, priority);
+        change(scene.objects[0], inner);
+        return left_out(scene);
+    };
+    const auto nothing = [](scene::Object&, scene::Object&) {};
+    const geom::Sphere ball{{0.1, 0.0, 0.0}, 0.5};
+    CHECK(with(ball, 1.0, nothing) == 1);
+    CHECK(with(ball, 2.0, nothing) == 0);
+    CHECK(with(ball, 3.0, nothing) == 0);
+    CHECK(with(geom::Sphere{{0.6, 0.0, 0.0}, 0.5}, 1.0, nothing) == 0);  // sticks out
+    CHECK(with(geom::Sphere{{0.5, 0.0, 0.0}, 0.5}, 1.0, nothing) == 0);  // touches
+    CHECK(with(ball, 1.0, [](scene::Object& outer, auto&) { outer.no_shadow = true; }) == 0);
+    CHECK(with(ball, 1.0, [](scene::Object& outer, auto&) { outer.no_image = true; }) == 0);
+    CHECK(with(ball, 1.0, [](scene::Object& outer, auto&) { outer.no_reflection = true; }) == 0);
+    CHECK(with(ball, 1.0, [](scene::Object& outer, auto&) { outer.inverse = true; }) == 0);
+    CHECK(with(ball, 1.0, [](auto&, scene::Object& inner) { inner.inverse = true; }) == 0);
+    CHECK(with(ball, 1.0, [](auto&, scene::Object& inner) { inner.no_shadow = true; }) == 1);
+    CHECK(with(geom::Torus{0.5, 0.2}, 1.0, nothing) == 1);
+    CHECK(with(geom::Torus{0.5, 0.6}, 1.0, nothing) == 0);
+
+    auto opaque = paperweight();  // its surface is always met
+    add_opaque(opaque, ball, matte(plain(scene::Rgb{0.5})));
+    CHECK(left_out(opaque) == 0);
+    auto open = paperweight();  // a disc is no solid
+    add_glass(open, geom::Disc{Vec3{0.0}, {0.0, 1.0, 0.0}, 0.5, 0.0}, 1.3, 1.0);
+    CHECK(left_out(open) == 0);
+}
+
+TEST_CASE("half-spaces hide too, and of a union each shape may be hidden", "[tracer]") {
+    scene::Scene scene;
+    add_glass(scene, geom::Plane{{0.0, 1.0, 0.0}, 0.0}, 1.33, 2.0);
+    add_glass(scene, geom::Sphere{{0.0, -2.0, 0.0}, 1.0}, 1.3, 1.0);
+    add_glass(scene, geom::Sphere{{0.0, 2.0, 0.0}, 1.0}, 1.3, 1.0);
+    scene.objects[2].solid = scene.objects[1].solid;
+    const auto seen = tracer::compile(scene, Hidden::left_out);
+    REQUIRE(seen.parts.size() == 2);
+    CHECK(seen.parts[1].object == 2);
+}
