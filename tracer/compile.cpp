@@ -145,6 +145,34 @@ void take_stock(RenderScene& scene) {
     gather_spheres(scene);
 }
 
+/// Whether no member comes near another.
+bool are_members_apart(const RenderScene& scene) {
+    const auto is_member = [&](int part) { return scene.parts[std::size_t(part)].is_member; };
+    if (std::ranges::any_of(scene.unbounded, is_member)) return false;
+    return std::ranges::all_of(scene.bvh_parts, [&](int part) {
+        const Neighbours::Near& near = scene.neighbours.near[std::size_t(part)];
+        return !is_member(part) ||
+               (near.count != Neighbours::unknown &&
+                std::none_of(near.parts.begin(), near.parts.begin() + near.count, is_member));
+    });
+}
+
+/// Whether the camera's rays start in one place that is in no solid and on none.
+bool is_camera_clear(const RenderScene& scene) {
+    const scene::Camera& camera = scene.source.camera;
+    if (camera.kind != scene::Camera::Kind::perspective) return false;
+    const geom::Vec3& p = camera.location;
+    const double margin = 1e-6 * (geom::max_abs(p) + scene.size) + scene.contact_tolerance;
+    return std::ranges::all_of(scene.parts, [&](const Part& part) {
+        if (!part.is_member) return true;
+        if (part.inverse) return false;
+        if (const auto* plane = std::get_if<geom::Plane>(&part.shape.shape());
+            plane && part.shape.transform().is_identity())
+            return glm::dot(p, plane->normal(0, p)) - plane->distance > margin;
+        return !overlap(part.shape.bounds().padded(margin), {p, p});
+    });
+}
+
 }  // namespace
 
 RenderScene compile(scene::Scene source, Hidden hidden) {
@@ -171,7 +199,15 @@ RenderScene compile(scene::Scene source, Hidden hidden) {
         result.skipped.emplace_back("no thin film far from the origin: one contact tolerance");
     result.only_opaque_shades = shades_by_opaque_alone(result);
     if (result.only_opaque_shades) result.lone_floor = lone_floor(result);
-    if (!result.has_members) result.skipped.emplace_back("no dielectric: no interior lists");
+    if (!result.has_members) {
+        result.skipped.emplace_back("no dielectric: no interior lists");
+    } else {
+        if (are_members_apart(result))
+            result.skipped.emplace_back("no dielectrics that meet: no priorities to compare");
+        result.is_camera_clear = is_camera_clear(result);
+        if (result.is_camera_clear)
+            result.skipped.emplace_back("camera in no solid: its rays start with an empty list");
+    }
     if (!result.has_attenuation) result.skipped.emplace_back("no absorption: no exponentials");
     if (scene.lights.empty()) {
         result.skipped.emplace_back("no light: no shadow rays");

@@ -60,6 +60,7 @@ struct RenderScene {
     double contact_tolerance = 0.0;  // scene units along the normal, beside the rounding bound
     bool has_members = false;        // some solid can hold a ray
     bool has_attenuation = false;
+    bool is_camera_clear = false;     // its rays start in one place, in no member and on none
     bool only_opaque_shades = false;  // all else lets light through as it is
     int lone_floor = outside;  // the part that alone casts shadows, if it is a half-space, which
                                // casts none on itself

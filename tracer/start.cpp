@@ -15,6 +15,7 @@ TracedRay EventFinder::start(const geom::Ray& ray, RayKind kind) {
     result.kind = kind;
     result.birth.magnitude = geom::max_abs(ray.origin);
     if (!scene_.has_members || options_.interior == InteriorMode::off) return result;
+    if (scene_.is_camera_clear && ray.origin == scene_.source.camera.location) return result;
 
     struct Start {
         double entered_at;

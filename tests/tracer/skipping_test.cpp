@@ -1,6 +1,4 @@
-// Solids inside of stronger ones are left out of the scene, where that is certain.
-
-#include "tracer/hidden.hpp"
+// What a scene does not need, found out when it is compiled: it costs nothing and is told.
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +6,7 @@
 #include "tests/random/random.hpp"
 #include "tests/tracer/scenes.hpp"
 #include "tests/tracer/shortcut.hpp"
+#include "tracer/hidden.hpp"
 
 using namespace meniscus;
 using namespace meniscus::test;
@@ -120,4 +119,46 @@ TEST_CASE("half-spaces hide too, and of a union each shape may be hidden", "[tra
     const auto seen = tracer::compile(scene, Hidden::left_out);
     REQUIRE(seen.parts.size() == 2);
     CHECK(seen.parts[1].object == 2);
+}
+
+TEST_CASE("where no dielectrics meet that is told, and nothing false is crossed", "[tracer]") {
+    const auto told = [](const scene::Scene& scene) {
+        const auto compiled = tracer::compile(scene);
+        return std::ranges::count(compiled.skipped,
+                                  "no dielectrics that meet: no priorities to compare") == 1;
+    };
+    auto scene = paperweight();
+    add_glass(scene, geom::Sphere{{3.0, 0.0, 0.0}, 1.0}, 1.3, 1.0);
+    CHECK(told(scene));
+    const auto found =
+        tracer::render(tracer::compile(scene), full_trees(tracer::Kernel::general)).statistics;
+    CHECK(found.true_crossings > 100);
+    CHECK(found.false_crossings == 0);
+    scene.objects[1].shape = geom::Sphere{{2.0, 0.0, 0.0}, 1.0};
+    CHECK_FALSE(told(scene));
+    scene.objects[1].shape = geom::Plane{{0.0, 1.0, 0.0}, -3.0};
+    CHECK_FALSE(told(scene));
+}
+
+TEST_CASE("a camera in no solid needs no search for its list", "[tracer]") {
+    const auto is_clear = [](const geom::Shape& shape, const Vec3& from, bool inverse = false) {
+        scene::Scene scene;
+        look(scene, from);
+        add_glass(scene, shape, 1.5, 1.0).inverse = inverse;
+        return tracer::compile(scene).is_camera_clear;
+    };
+    const geom::Sphere ball{Vec3{0.0}, 1.0};
+    const geom::Plane ground{{0.0, 1.0, 0.0}, 0.0};
+    CHECK(is_clear(ball, {0.0, 0.0, -5.0}));
+    CHECK_FALSE(is_clear(ball, {0.0, 0.0, -0.5}));
+    CHECK_FALSE(is_clear(ball, {0.0, 0.0, -1.0}));
+    CHECK_FALSE(is_clear(ball, {0.0, 0.0, -5.0}, true));
+    CHECK(is_clear(ground, {0.0, 1.0, -5.0}));
+    CHECK_FALSE(is_clear(ground, {0.0, 0.0, -5.0}));
+    CHECK_FALSE(is_clear(ground, {0.0, -1.0, -5.0}));
+
+    auto scene = paperweight();
+    add_glass(scene, geom::Plane{{0.0, 1.0, 0.0}, -0.5}, 1.33, 1.0);
+    check_shortcut(tracer::compile(scene),
+                   [](tracer::RenderScene& known) { known.is_camera_clear = false; });
 }
