@@ -12,7 +12,7 @@ namespace meniscus::tracer {
 namespace {
 
 constexpr int small_tile = 16, large_tile = 32;  // pixels; rays one at a time, or in lanes
-constexpr std::size_t samples_at_once = 1 << 16;
+constexpr std::size_t samples_at_once = 64;      // as many as lanes ask for
 
 }  // namespace
 
@@ -104,20 +104,21 @@ void FilmPasses::follow_singly(Worker& worker, const Region& window, const Plan&
     }
 }
 
-/// Some ten thousand samples at a time, of as many pixels as that takes. Each half of a pixel
-/// has a sum of its own.
+/// Samples are made when lanes ask for them. Each half of a pixel has a sum of its own.
 void FilmPasses::follow_in_lanes(Worker& worker, const Region& window, const Plan& plan) {
-    worker.samples.clear();
-    for (int y = window.y0; y < window.y1; ++y) {
-        for (int x = window.x0; x < window.x1; ++x) {
-            const std::size_t first = worker.samples.size();
-            plan(x, y, worker.samples);
-            share_out(worker, std::span(worker.samples).subspan(first), film_.index(x, y));
-            if (worker.samples.size() < samples_at_once) continue;
-            empty_into_film(worker);
-            if (interrupted()) return;
+    int x = window.x0, y = window.y0;
+    const auto more = [&](std::vector<Sample>& samples) {
+        while (y < window.y1 && samples.size() < samples_at_once) {
+            const std::size_t first = samples.size();
+            plan(x, y, samples);
+            share_out(worker, std::span(samples).subspan(first), film_.index(x, y));
+            if (++x < window.x1) continue;
+            x = window.x0;
+            y = interrupted() ? window.y1 : y + 1;
         }
-    }
+    };
+    const auto pixels = std::size_t(window.x1 - window.x0) * std::size_t(window.y1 - window.y0);
+    worker.host->run(more, 2 * pixels);
     empty_into_film(worker);
 }
 
@@ -137,9 +138,8 @@ void FilmPasses::share_out(Worker& worker, std::span<Sample> samples, std::size_
     tally.samples += int(samples.size());
 }
 
-/// Follows the samples that were gathered, and adds their light to their pixels.
+/// Adds the light of the samples that were followed to their pixels.
 void FilmPasses::empty_into_film(Worker& worker) {
-    if (!worker.samples.empty()) worker.host->run(worker.samples, worker.targets.size());
     const double unit = 1.0 / std::get<lanes::Program>(program_).units;
     const std::int64_t* sum = worker.host->sums().data();
     for (const Target& target : worker.targets) {
@@ -147,7 +147,6 @@ void FilmPasses::empty_into_film(Worker& worker) {
         target.tally->cost += double(sum[3]);
         sum += 4;
     }
-    worker.samples.clear();
     worker.targets.clear();
 }
 

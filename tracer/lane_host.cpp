@@ -87,9 +87,20 @@ void LaneHost::add_light(const Sample& sample, const Rgb& light) {
     ++sum[3];
 }
 
-void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
+/// How many samples are left, fetched if there were none.
+std::size_t LaneHost::samples_at_hand() {
+    if (next_sample_ == samples_.size()) {
+        samples_.clear();
+        next_sample_ = 0;
+        (*more_)(samples_);
+    }
+    return samples_.size() - next_sample_;
+}
+
+void LaneHost::run(const MoreSamples& more, std::size_t targets) {
     sums_.assign(4 * targets, 0);
-    samples_ = &samples;
+    more_ = &more;
+    samples_.clear();
     next_sample_ = 0;
     const lanes::Counts counts =
         lanes::run(program_, *this, stacks_, sums_.data(), options_.instruction_set);
@@ -105,8 +116,8 @@ void LaneHost::run(const std::vector<Sample>& samples, std::size_t targets) {
 }
 
 void LaneHost::more_rays(lanes::Stacks& stacks, std::size_t wanted) {
-    for (; wanted > 0 && next_sample_ < samples_->size(); ++next_sample_) {
-        const Sample& sample = (*samples_)[next_sample_];
+    for (; wanted > 0 && samples_at_hand() > 0; ++next_sample_) {
+        const Sample& sample = samples_[next_sample_];
         const geom::Ray camera =
             camera_ray(scene_.source.camera, sample.x, sample.y, options_.width, options_.height);
         ++statistics_.camera_rays;
@@ -128,9 +139,9 @@ void LaneHost::more_rays(lanes::Stacks& stacks, std::size_t wanted) {
 }
 
 std::size_t LaneHost::more_points(lanes::FilmPoints& points, std::size_t wanted) {
-    const std::size_t count = std::min(wanted, samples_->size() - next_sample_);
+    const std::size_t count = std::min(wanted, samples_at_hand());
     for (std::size_t i = 0; i < count; ++i) {
-        const Sample& sample = (*samples_)[next_sample_ + i];
+        const Sample& sample = samples_[next_sample_ + i];
         points.x[i] = sample.x;
         points.y[i] = sample.y;
         points.weight[i] = sample.weight;

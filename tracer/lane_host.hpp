@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,11 @@ public:
     LaneHost(const RenderScene& scene, const Options& options, const lanes::Program& program,
              RayTree& tree, Statistics& statistics);
 
-    /// Follows samples; the light of sample i goes to `sums()` at 4 * samples[i].target: red,
-    /// green, blue in 1 / program.units, times the sample's weight.
-    void run(const std::vector<Sample>& samples, std::size_t targets);
+    /// Adds some samples that are to be followed next, none when there are no more.
+    using MoreSamples = std::function<void(std::vector<Sample>& out)>;
+    /// Follows samples; the light of each goes to `sums()` at 4 * sample.target: red, green, blue
+    /// in 1 / program.units, times the sample's weight.
+    void run(const MoreSamples& more, std::size_t targets);
     const std::vector<std::int64_t>& sums() const { return sums_; }
 
     const lanes::Camera* camera() const override { return camera_ ? &*camera_ : nullptr; }
@@ -48,6 +51,7 @@ private:
     bool is_camera_in_the_open() const;
     bool is_tied(const lanes::Places& inside) const;
     void add_light(const Sample& sample, const scene::Rgb& light);
+    std::size_t samples_at_hand();
 
     const RenderScene& scene_;
     const Options& options_;
@@ -57,7 +61,8 @@ private:
     lanes::Stacks stacks_;
     std::vector<std::int64_t> sums_;
     std::vector<int> rank_of_part_;
-    const std::vector<Sample>* samples_ = nullptr;
+    const MoreSamples* more_ = nullptr;
+    std::vector<Sample> samples_;  // the next ones
     std::size_t next_sample_ = 0;
     std::optional<lanes::Camera> camera_;  // if every camera ray starts in one place with one list
     Shading shading_;

@@ -50,7 +50,7 @@ def bubbles(store, pictures, quick):
     series.compared = [(60, 100), (1000, 100_000)]
     for count in counts:
         series.add(count, render.run(store, "benchmarks/scenes/bubbles.scene", "--declare", f"Count={count}", *options,
-                                     runs=1 if quick else 3))
+                                     runs=3))
     return series.section(store, pictures, render.shown("benchmarks/scenes/bubbles.scene", "--declare", "Count=N", *options, "--threads", 1))
 
 
@@ -60,7 +60,7 @@ def nests(store, pictures, quick):
     series = Series("nest", "Balls within balls", "depth")
     for depth in depths:
         series.add(depth, render.run(store, "benchmarks/scenes/nest.scene", "--declare", f"Depth={depth}", *options,
-                                     runs=1 if quick else 3))
+                                     runs=3))
     return series.section(store, pictures, render.shown("benchmarks/scenes/nest.scene", "--declare", "Depth=N", *options, "--threads", 1))
 
 
@@ -73,7 +73,7 @@ def triangles(store, pictures, quick, folder):
         if not mesh.exists():
             ring.write(mesh, count)
         series.add(count, render.run(store, "benchmarks/scenes/ring.scene", "--declare", f"Triangles={count}", "-L", folder, *options,
-                                     runs=1 if quick else 3))
+                                     runs=3))
     return series.section(store, pictures, render.shown("benchmarks/scenes/ring.scene", "--declare", "Triangles=N", *options, "--threads", 1))
 
 
@@ -83,7 +83,7 @@ def resolutions(store, pictures, quick):
     scene = "tests/povray/bench/tumbler.scene"
     for width in widths:
         height = width * 3 // 4
-        series.add(width * height, render.run(store, scene, "-W", width, "-H", height, "--spp", "1", runs=1 if quick else 3))
+        series.add(width * height, render.run(store, scene, "-W", width, "-H", height, "--spp", "1", runs=3))
     return series.section(store, pictures, render.shown(scene, "-W", "N", "-H", "3/4 N", "--spp", 1, "--threads", 1))
 
 
