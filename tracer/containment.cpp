@@ -1,8 +1,11 @@
 #include "tracer/containment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
+
+#include "geom/bvh.hpp"
 
 namespace meniscus::tracer {
 namespace {
@@ -136,15 +139,83 @@ std::optional<double> excess(const Other&, const Ring&) {
     return std::nullopt;
 }
 
+using Triangle = std::array<Vec3, 3>;
+
+/// Whether two triangles are farther apart than `room`, along one of the directions that decide
+/// that (the separating axes: both normals, and what is across two edges).
+bool are_apart(const Triangle& a, const Triangle& b, double room) {
+    const auto separates = [&](const Vec3& axis) {
+        const double length = glm::length(axis);
+        if (!(length > 0.0)) return false;
+        const auto [a_low, a_high] =
+            std::minmax({glm::dot(a[0], axis), glm::dot(a[1], axis), glm::dot(a[2], axis)});
+        const auto [b_low, b_high] =
+            std::minmax({glm::dot(b[0], axis), glm::dot(b[1], axis), glm::dot(b[2], axis)});
+        return std::max(a_low - b_high, b_low - a_high) > room * length;
+    };
+    const auto edges = [](const Triangle& t) {
+        return Triangle{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+    };
+    const Triangle of_a = edges(a), of_b = edges(b);
+    if (separates(glm::cross(of_a[0], of_a[1])) || separates(glm::cross(of_b[0], of_b[1])))
+        return true;
+    for (const Vec3& u : of_a) {
+        for (const Vec3& v : of_b) {
+            if (separates(glm::cross(u, v))) return true;
+        }
+    }
+    return false;
+}
+
+/// Of two meshes of one surface each: if the surfaces stay apart and one point of the inner one is
+/// within the outer, all of it is. `to_outer` leads from the world to the outer one's frame.
+std::optional<bool> is_mesh_contained(const PlacedShape& placed, const geom::TriangleMesh& inner,
+                                      const geom::TriangleMesh& outer,
+                                      const geom::Transform& to_outer, double room) {
+    if (inner.stats().components != 1 || outer.stats().components != 1) return std::nullopt;
+    const auto triangle = [&](std::size_t i) {
+        Triangle result = inner.corners(geom::Face(i));
+        for (Vec3& p : result) p = to_outer.point(placed.transform().point(p));
+        return result;
+    };
+    // Mostly some point tells soon that it is not.
+    constexpr std::size_t few = 64;
+    for (std::size_t i = 0; i < few; ++i) {
+        if (outer.depth_at(triangle(i * inner.size() / few)[0]) <= 0) return false;
+    }
+    std::vector<geom::Bounds> boxes(outer.size());
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+        for (const Vec3& p : outer.corners(geom::Face(i))) boxes[i].extend(p);
+    }
+    const geom::Bvh hierarchy(boxes);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const Triangle own = triangle(i);
+        geom::Bounds box;
+        for (const Vec3& p : own) box.extend(p);
+        bool is_near = false;
+        hierarchy.overlapping(box.padded(room), [&](std::uint32_t j) {
+            is_near = is_near || !are_apart(own, outer.corners(geom::Face(j)), room);
+        });
+        if (is_near) return std::nullopt;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<bool> is_contained(const PlacedShape& inner, const PlacedShape& outer, double room) {
+    const geom::Transform to_outer = outer.transform().inverse();
+    const double local_room = room * to_outer.largest_scale();
+    if (const auto* around = std::get_if<geom::Mesh>(&outer.shape())) {
+        const auto* within = std::get_if<geom::Mesh>(&inner.shape());
+        if (!within || room == 0.0) return std::nullopt;
+        return is_mesh_contained(inner, *within->triangles, *around->triangles, to_outer,
+                                 local_room);
+    }
     const Rings own = std::visit([](const auto& s) { return rings_of(s); }, inner.shape());
     if (own.empty()) return std::nullopt;
     bool exact = true;
-    const geom::Transform to_outer = outer.transform().inverse();
     const Rings rings = moved(moved(own, inner.transform(), exact), to_outer, exact);
-    const double local_room = room * to_outer.largest_scale();
     return std::visit(
         [&](const auto& shape) -> std::optional<bool> {
             double size = shape.magnitude();

@@ -1,6 +1,8 @@
 // What a scene does not need, found out when it is compiled: it costs nothing and is told.
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
 
 #include "compare/metrics.hpp"
 #include "tests/random/random.hpp"
@@ -21,6 +23,30 @@ scene::Scene paperweight() {
     scene.background.rgb = scene::Rgb{0.5, 0.6, 0.9};
     add_glass(scene, geom::Sphere{Vec3{0.0}, 1.0}, 1.5, 2.0);
     return scene;
+}
+
+geom::Mesh mesh(geom::TriangleSoup soup) {
+    return {std::make_shared<const geom::TriangleMesh>(std::move(soup))};
+}
+
+/// A torus of triangles.
+geom::TriangleSoup ring(double major, double minor) {
+    constexpr std::uint32_t around = 48, across = 24;
+    geom::TriangleSoup soup;
+    const auto turn = [](std::uint32_t i, std::uint32_t of) { return 6.283185307179586 * i / of; };
+    const auto at = [](std::uint32_t i, std::uint32_t j) {
+        return (i % around) * across + j % across;
+    };
+    for (std::uint32_t i = 0; i < around; ++i) {
+        for (std::uint32_t j = 0; j < across; ++j) {
+            const double a = turn(i, around), b = turn(j, across);
+            const double r = major + minor * std::cos(b);
+            soup.positions.push_back({r * std::cos(a), minor * std::sin(b), r * std::sin(a)});
+            soup.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+            soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+        }
+    }
+    return soup;
 }
 
 std::size_t left_out(const scene::Scene& scene) {
@@ -119,6 +145,46 @@ TEST_CASE("half-spaces hide too, and of a union each shape may be hidden", "[tra
     const auto seen = tracer::compile(scene, Hidden::left_out);
     REQUIRE(seen.parts.size() == 2);
     CHECK(seen.parts[1].object == 2);
+}
+
+TEST_CASE("meshes inside of stronger meshes are left out", "[tracer]") {
+    const auto with = [](const geom::TriangleSoup& outer, const geom::TriangleSoup& inner,
+                         const geom::Transform& placed = {}) {
+        scene::Scene scene;
+        look(scene, {0.7, 2.0, -4.0});
+        scene.background.rgb = scene::Rgb{0.5, 0.6, 0.9};
+        add_opaque(scene, geom::Plane{{0.0, 1.0, 0.0}, -1.0},
+                   matte(checker(scene::Rgb{0.2}, scene::Rgb{0.9})));
+        add_glass(scene, mesh(outer), 1.5, 2.0);
+        add_glass(scene, mesh(inner), 1.3, 1.0).transform = placed;
+        return scene;
+    };
+    const auto scene = with(ring(1.0, 0.4), ring(1.0, 0.25));
+    REQUIRE(left_out(scene) == 1);
+    const auto options = full_trees(tracer::Kernel::general);
+    const auto kept = tracer::render(tracer::compile(scene), options);
+    const auto seen = tracer::render(tracer::compile(scene, Hidden::left_out), options);
+    CHECK(compare::measure(kept.picture, seen.picture, 0.0).largest == 0.0);
+    CHECK(seen.statistics.true_crossings == kept.statistics.true_crossings);
+    CHECK(kept.statistics.false_crossings > 0);
+    CHECK(seen.statistics.false_crossings == 0);
+
+    CHECK(left_out(with(ring(1.0, 0.4), ring(1.0, 0.4))) == 0);
+    CHECK(left_out(with(ring(1.0, 0.4), ring(0.4, 0.1))) == 0);  // in its hole
+    CHECK(left_out(with(ring(1.0, 0.4), ring(1.0, 0.25),
+                        geom::Transform::translation({0.3, 0.0, 0.0}))) == 0);
+    CHECK(left_out(with(ring(2.0, 0.8), ring(1.0, 0.25), geom::Transform::scaling(Vec3{2.0}))) ==
+          1);
+    CHECK(left_out(with(ring(1.0, 0.25), ring(1.0, 0.4))) == 0);
+    // A hollow of the outer one within the inner one, which shows the hollow's medium.
+    auto hollow = ring(1.0, 0.6);
+    const auto cavity = ring(1.0, 0.1);
+    for (const auto& [i, j, k] : cavity.triangles) {
+        const auto first = std::uint32_t(ring(1.0, 0.6).positions.size());
+        hollow.triangles.push_back({i + first, k + first, j + first});
+    }
+    for (const Vec3& p : cavity.positions) hollow.positions.push_back(p);
+    CHECK(left_out(with(hollow, ring(1.0, 0.3))) == 0);
 }
 
 TEST_CASE("where no dielectrics meet that is told, and nothing false is crossed", "[tracer]") {
