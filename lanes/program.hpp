@@ -140,7 +140,6 @@ struct Member {
     bool clear = true;  // its surface is exact Fresnel reflection and refraction, and nothing else
     Places stronger{};  // what hides its surface
     bool in_group = false;
-    int solid = 0;           // index into `solids`, if not in a group
     geom::Vec3 center{0.0};  // if in a group
     double radius = 0.0, inverse_radius = 0.0;
 };
