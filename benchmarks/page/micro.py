@@ -24,7 +24,7 @@ def mesh_rays(store, root, quick):
     out = ("### Meshes against Embree\n\nEmbree 3.13, robust, one ray at a time, in turns with ours in one run on one thread; ours finds its crossings in double\n"
            "precision.\n\n")
     for count in [70_000, 1_000_000]:
-        words = [program.relative_to(root), count, *([32768, 3] if quick else [262144, 7])]
+        words = [program.relative_to(root), count, *([131072, 7] if quick else [262144, 7])]
         out += markdown.code("$ " + " ".join(["mesh_rays", *map(str, words[1:])]) + "\n" + store.run(words)) + "\n"
     return out
 
