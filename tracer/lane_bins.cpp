@@ -77,7 +77,8 @@ private:
         return false;
     }
 
-    /// Whether a ray inside of a member may come to a surface before it has left that.
+    /// Whether a ray inside of a member may come to a surface before it has left that, or is in
+    /// that small sphere.
     bool may_come(std::size_t rank, const PlacedShape& to, const lanes::Solid* solid) const {
         const Part& from = part(program_.members[rank].part);
         if (from.inverse || !from.shape.bounds().is_finite()) return true;
@@ -90,7 +91,8 @@ private:
             return std::abs(height) <= glm::dot(glm::abs(n), 0.5 * around.size());
         }
         if (to.bounds().is_finite() && !overlap(around, to.bounds())) return false;
-        if (holds(to, from.shape)) return false;
+        // Small spheres around are known to the kernel only if it asks for them.
+        if (solid && holds(to, from.shape)) return false;
         if (solid && is_in_cavity(from.shape, *solid)) return false;
         const auto own = std::ranges::find(program_.solids, int(rank), &lanes::Solid::rank);
         return own == program_.solids.end() || !is_in_cavity(to, *own);

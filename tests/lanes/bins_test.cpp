@@ -81,6 +81,11 @@ private:
     }
 
     void follow(const lanes::Surroundings& bin, int strongest, const Vec3& p) {
+        // The kernel takes rays of such a bin to be in no small sphere.
+        for (const lanes::Member& member : program_.members) {
+            if (member.in_group && !bin.small_spheres)
+                missed += scene_.parts[std::size_t(member.part)].shape.contains(p);
+        }
         geom::Ray ray;
         ray.origin = p;
         Vec3 d;
@@ -229,6 +234,24 @@ TEST_CASE("nor where many things are in a glass", "[lanes]") {
     CHECK_FALSE(program.bins.front().small_spheres);
     // The water can be met from above, the red ball and the bubbles only within it.
     CHECK_FALSE(program.bins.back().small_spheres);
+}
+
+TEST_CASE("what stands in a small sphere knows of it", "[lanes]") {
+    std::string solids;
+    for (int i = 0; i < 9; ++i) {
+        const std::string at = "translate <" + std::to_string(2 * i) + ", 0, 0> ";
+        solids += "sphere { 0, 0.9 " + at + "material { ior 1.5 priority 1 } }\n";
+        if (i < 3) solids += "box { -0.3, 0.3 " + at + "material { ior 1.3 priority 2 } }\n";
+    }
+    const auto scene = scene_of(solids);
+    const auto program = program_of(scene);
+    REQUIRE_FALSE(program.groups.empty());
+    Walk walk(scene, program);
+    for (const auto& bin : program.bins) walk.start(bin, 20'000);
+    CHECK(walk.missed == 0);
+    CHECK(walk.rays > 5'000);
+    CHECK(program.bins[0].small_spheres);
+    CHECK_FALSE(program.bins.back().all.size() == program.solids.size());
 }
 
 TEST_CASE("where no solids meet none can hide another", "[lanes]") {

@@ -63,11 +63,12 @@ std::size_t off(const image::Image& a, const image::Image& b, double tolerance) 
 
 // A ray tree is the same but where rounding decides: a pixel in a thousand may differ there.
 TEST_CASE("lanes make the picture of the general way", "[lanes]") {
-    const std::string name = GENERATE(
-        "tests/povray/bench/spheres.scene", "tests/povray/bench/tumbler.scene",
-        "examples/first_page.scene", "examples/cross_section.scene", "examples/three_spheres.scene",
-        "examples/lens.scene", "examples/doublet.scene", "examples/ocean.scene",
-        "examples/glass_of_water.scene", "tests/lanes/cups.scene", "tests/lanes/shells.scene");
+    const std::string name =
+        GENERATE("tests/povray/bench/spheres.scene", "tests/povray/bench/tumbler.scene",
+                 "examples/first_page.scene", "examples/cross_section.scene",
+                 "examples/three_spheres.scene", "examples/lens.scene", "examples/doublet.scene",
+                 "examples/ocean.scene", "examples/glass_of_water.scene", "tests/lanes/cups.scene",
+                 "tests/lanes/shells.scene", "tests/lanes/held_in_drops.scene");
     const tracer::RenderScene scene = read(name);
     for (const tracer::Sampling& sampling :
          {tracer::Sampling{tracer::GridSampling{1}}, tracer::Sampling{tracer::CountSampling{4}}}) {
@@ -180,10 +181,10 @@ TEST_CASE("lanes follow rays through more solids than one word of a list holds",
 TEST_CASE("every instruction set makes the same bytes", "[lanes]") {
     const auto sets = lanes::instruction_sets();
     REQUIRE(sets.back() == "plain");
-    const std::string name =
-        GENERATE("tests/povray/bench/tumbler.scene", "examples/cross_section.scene",
-                 "tests/lanes/ties.scene", "tests/lanes/many_bubbles.scene",
-                 "tests/lanes/cups.scene", "tests/lanes/shells.scene");
+    const std::string name = GENERATE(
+        "tests/povray/bench/tumbler.scene", "examples/cross_section.scene",
+        "tests/lanes/ties.scene", "tests/lanes/many_bubbles.scene", "tests/lanes/cups.scene",
+        "tests/lanes/shells.scene", "tests/lanes/held_in_drops.scene");
     const tracer::RenderScene scene = read(name);
     for (const tracer::Sampling& sampling :
          {tracer::Sampling{tracer::GridSampling{1}}, tracer::Sampling{tracer::CountSampling{4}}}) {
