@@ -122,7 +122,7 @@ private:
             escapes && !segment.steps.empty() ? segment.steps.back().after.top : segment.start.top;
         const Vec3 start = node.start.ray.origin;
         const double length = 2.0 * (view_.size().x + view_.size().y);
-        const Vec3 end = escapes ? node.start.ray.at(length) : node.event.origin.origin;
+        const Vec3 end = escapes ? node.start.ray.at(length) : node.event.origin.at(0.0);
         const Vec2 a = on_page(start), b = on_page(end);
         body_ += fmt::format(
             "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\" "

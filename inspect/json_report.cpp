@@ -64,7 +64,7 @@ Json surface(const tracer::RenderScene& scene, const Names& names, const Segment
         return names.object(scene.parts[std::size_t(part)].object);
     };
     return {{"t", event.t},
-            {"position", to_json(event.origin.origin)},
+            {"position", to_json(event.origin.at(0.0))},
             {"normal", to_json(event.normal)},
             {"object", object(event.part)},
             {"skin", object(event.skin)},

@@ -90,7 +90,7 @@ SideView::SideView(const scene::Camera& camera, const PixelTrace& trace) {
     constexpr double least_weight = 0.05;  // what is fainter does not shape the picture
     for (const Segment& segment : trace.segments) {
         if (segment.ends_at_surface() && segment.node.weight >= least_weight)
-            extend(project(segment.node.event.origin.origin));
+            extend(project(segment.node.event.origin.at(0.0)));
     }
     if (empty) extend(Vec2{0.0});
     // A margin for what comes and goes; never a window without height.

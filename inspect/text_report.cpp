@@ -88,14 +88,15 @@ private:
     void surface() {
         const auto& event = node_.event;
         if (!node_.is_surface) {
-            add("  passed: both sides are alike, nothing is seen at {}", text(event.origin.origin));
+            add("  passed: both sides are alike, nothing is seen at {}",
+                text(event.origin.at(0.0)));
             return;
         }
         way(event.solid_before);
         const auto object = [&](int part) {
             return names_.object(scene_.parts[std::size_t(part)].object);
         };
-        add("  surface of {} at {}{}", object(event.part), text(event.origin.origin),
+        add("  surface of {} at {}{}", object(event.part), text(event.origin.at(0.0)),
             event.skin == event.part ? "" : ", looks like " + object(event.skin));
         if (!node_.total_reflection && node_.reflectance == scene::Rgb{0.0} &&
             node_.transmittance == scene::Rgb{0.0}) {

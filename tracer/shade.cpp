@@ -38,7 +38,7 @@ Rgb RayTree::unshadowed(TracedRay shadow, double distance, double way) {
             attenuate(hit.solid_before, hit.t);
             if (!part.no_shadow) {
                 if (part.is_opaque) return Rgb{0.0};
-                left *= evaluate(texture, hit.origin.origin).transparency();
+                left *= evaluate(texture, hit.origin.at(0.0)).transparency();
                 const double caustics = scene_.source.solids[part.solid].interior.caustics;
                 if (caustics != 0.0) {
                     const double cosine = std::abs(glm::dot(hit.normal, direction));

@@ -63,7 +63,7 @@ void add_lights(const RenderScene& scene, const Vec3& eye_ray, const Event& even
     const bool eye_is_outside = glm::dot(event.normal, eye_ray) < 0.0;
     for (std::size_t light_index = 0; light_index < scene.source.lights.size(); ++light_index) {
         const scene::Light& light = scene.source.lights[light_index];
-        const LightAt seen = light_at(light, event.origin.origin);
+        const LightAt seen = light_at(light, event.origin.at(0.0));
         if (seen.color == Rgb{0.0}) continue;
         double cosine = glm::dot(normal, seen.direction);
         if (cosine < 1e-10 && !both_sides) continue;
@@ -129,7 +129,7 @@ void shade(const RenderScene& scene, const Vec3& direction, const Event& event,
     const scene::Texture& texture =
         scene.source.textures[scene.source.objects[scene.parts[event.skin].object].texture];
     const scene::Finish& finish = texture.finish;
-    const Vec3 position = event.origin.origin;
+    const Vec3 position = event.origin.at(0.0);
     shading = {.lights = std::move(shading.lights)};
     shading.lights.clear();
     shading.normal = shading_normal;

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/metrics.hpp"
 #include "tests/tracer/scenes.hpp"
+#include "tests/tracer/shortcut.hpp"
 #include "tracer/light_at.hpp"
 #include "tracer/render.hpp"
 
@@ -120,4 +122,20 @@ TEST_CASE("shadows take absorption and the skins' colour, and straight lines", "
     // An opaque ball inside ends it.
     add_opaque(scene, geom::Sphere{{2.0, 0.0, -2.0}, 0.2}, white());
     CHECK(shade(scene) == 0.0);
+}
+
+TEST_CASE("what a sloppy model stands on has the colour of its own place", "[tracer]") {
+    // The floor lies 1e-6 below the plane in which the checker's next cell begins.
+    const auto kernel = GENERATE(tracer::Kernel::general, tracer::Kernel::automatic);
+    const auto picture = [&](double bottom) {
+        scene::Scene scene;
+        look(scene, {0.3, 4.0, -0.2});
+        scene.settings.contact_tolerance = 1e-5;
+        scene.background.rgb = scene::Rgb{0.5};
+        add_opaque(scene, geom::Plane{{0.0, 1.0, 0.0}, -1e-6},
+                   emissive(checker(scene::Rgb{0.2}, scene::Rgb{0.9})));
+        add_glass(scene, geom::Box{{-0.9, bottom, -0.9}, {0.9, 0.5, 0.9}}, 1.2, 1.0);
+        return tracer::render(tracer::compile(scene), full_trees(kernel)).picture;
+    };
+    CHECK(compare::measure(picture(0.0), picture(-1e-6), 0.01).share_off() < 0.01);
 }
