@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "compare/metrics.hpp"
 #include "tests/random/random.hpp"
@@ -227,4 +229,52 @@ TEST_CASE("a camera in no solid needs no search for its list", "[tracer]") {
     add_glass(scene, geom::Plane{{0.0, 1.0, 0.0}, -0.5}, 1.33, 1.0);
     check_shortcut(tracer::compile(scene),
                    [](tracer::RenderScene& known) { known.is_camera_clear = false; });
+}
+
+TEST_CASE("between like media there is no surface to reflect", "[tracer]") {
+    const auto kernel = GENERATE(tracer::Kernel::general, tracer::Kernel::automatic);
+    const auto count = [&](double inner_ior) {
+        auto scene = paperweight();
+        add_glass(scene, geom::Sphere{{0.1, 0.0, 0.0}, 0.5}, inner_ior, 3.0);
+        return tracer::render(tracer::compile(scene), full_trees(kernel)).statistics;
+    };
+    const auto alone =
+        tracer::render(tracer::compile(paperweight()), full_trees(kernel)).statistics;
+    const auto alike = count(1.5), unlike = count(1.3);
+    CHECK(alike.reflected_rays == alone.reflected_rays);
+    CHECK(alike.refracted_rays == alone.refracted_rays);
+    CHECK(unlike.reflected_rays > alone.reflected_rays);
+}
+
+TEST_CASE("without lights there are no shadow rays, without dielectrics no lists", "[tracer]") {
+    const auto told = [](const tracer::RenderScene& scene, std::string_view what) {
+        return std::ranges::any_of(scene.skipped,
+                                   [&](const std::string& text) { return text.starts_with(what); });
+    };
+    scene::Scene source;
+    look(source, {0.7, 1.0, -5.0});
+    add_opaque(source, geom::Sphere{Vec3{0.0}, 1.0}, matte(plain(scene::Rgb{0.7})));
+    add_opaque(source, geom::Box{{0.5, -1.0, -1.0}, {2.0, 0.5, 1.0}},
+               matte(plain(scene::Rgb{0.7, 0.3, 0.2})));
+    const auto dark = tracer::compile(source);
+    CHECK(told(dark, "no light: no shadow rays"));
+    CHECK(told(dark, "no dielectric: no interior lists"));
+    CHECK(told(dark, "no absorption: no exponentials"));
+    scene::Light light;
+    light.position = {3.0, 5.0, -4.0};
+    light.color = scene::Rgb{1.0};
+    source.lights.push_back(light);
+    const auto lit = tracer::compile(source);
+    CHECK_FALSE(told(lit, "no light"));
+    auto options = full_trees(tracer::Kernel::general);
+    CHECK(tracer::render(dark, options).statistics.shadow_rays == 0);
+    const auto swept = tracer::render(lit, options).statistics;
+    CHECK(swept.shadow_rays > 100);
+    CHECK(swept.false_crossings == 0);
+    options.interior = tracer::InteriorMode::off;
+    CHECK(tracer::render(lit, options).statistics.casts == swept.casts);
+    add_glass(source, geom::Sphere{{0.0, 0.0, -2.0}, 0.3}, 1.5, 1.0, scene::Rgb{0.5});
+    const auto with_glass = tracer::compile(source);
+    CHECK_FALSE(told(with_glass, "no dielectric:"));
+    CHECK_FALSE(told(with_glass, "no absorption"));
 }
