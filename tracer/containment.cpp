@@ -212,9 +212,16 @@ std::optional<bool> is_contained(const PlacedShape& inner, const PlacedShape& ou
         return is_mesh_contained(inner, *within->triangles, *around->triangles, to_outer,
                                  local_room);
     }
-    const Rings own = std::visit([](const auto& s) { return rings_of(s); }, inner.shape());
+    // Of a mesh the box around it must do where nothing hangs on the answer but time.
+    const bool is_boxed = room > 0.0 && std::holds_alternative<geom::Mesh>(inner.shape());
+    Rings own;
+    if (is_boxed) {
+        add_corners(std::get<geom::Mesh>(inner.shape()).bounds(), own);
+    } else {
+        own = std::visit([](const auto& s) { return rings_of(s); }, inner.shape());
+    }
     if (own.empty()) return std::nullopt;
-    bool exact = true;
+    bool exact = !is_boxed;
     const Rings rings = moved(moved(own, inner.transform(), exact), to_outer, exact);
     return std::visit(
         [&](const auto& shape) -> std::optional<bool> {

@@ -13,10 +13,19 @@ bool is_for_all(const Part& part) {
     return !part.no_image && !part.no_reflection && !part.no_shadow;
 }
 
-bool hides(const Part& outer, const Part& inner, double room) {
+bool may_hide(const Part& outer, const Part& inner) {
     return outer.is_member && !outer.inverse && is_for_all(outer) &&
-           outer.priority > inner.priority &&
-           is_contained(inner.shape, outer.shape, room).value_or(false);
+           outer.priority > inner.priority;
+}
+
+/// So many triangles of meshes in meshes are looked at, in a second or so; further ones stay.
+constexpr std::size_t most_triangles = 4'000'000;
+
+/// How many triangles it takes to tell whether one part holds another.
+std::size_t triangles(const Part& outer, const Part& inner) {
+    const auto* around = std::get_if<geom::Mesh>(&outer.shape.shape());
+    const auto* within = std::get_if<geom::Mesh>(&inner.shape.shape());
+    return around && within ? around->triangles->size() + within->triangles->size() : 0;
 }
 
 }  // namespace
@@ -27,11 +36,17 @@ std::size_t leave_out_hidden(RenderScene& scene) {
         if (part.is_member) highest = std::max(highest, part.priority);
     }
     const double room = room_to_spare(scene);
+    std::size_t triangles_left = most_triangles;
     std::vector<bool> is_hidden;
     for (const Part& part : scene.parts) {
         bool hidden = false;
         const auto look = [&](int index) {
-            hidden = hidden || hides(scene.parts[std::size_t(index)], part, room);
+            const Part& outer = scene.parts[std::size_t(index)];
+            if (hidden || !may_hide(outer, part)) return;
+            const std::size_t count = triangles(outer, part);
+            if (count > triangles_left) return;
+            triangles_left -= count;
+            hidden = is_contained(part.shape, outer.shape, room).value_or(false);
         };
         if (part.is_member && !part.inverse && part.priority < highest &&
             part.shape.bounds().is_finite()) {

@@ -178,6 +178,15 @@ TEST_CASE("meshes inside of stronger meshes are left out", "[tracer]") {
     CHECK(left_out(with(ring(2.0, 0.8), ring(1.0, 0.25), geom::Transform::scaling(Vec3{2.0}))) ==
           1);
     CHECK(left_out(with(ring(1.0, 0.25), ring(1.0, 0.4))) == 0);
+    // In a ball by the box around the mesh, whose corners may stick out where the mesh does not.
+    const auto in_ball = [&](double radius) {
+        auto scene = with(ring(1.0, 0.4), ring(1.0, 0.25));
+        scene.objects[1].shape = geom::Sphere{Vec3{0.0}, radius};
+        return left_out(scene);
+    };
+    CHECK(in_ball(1.8) == 1);
+    CHECK(in_ball(1.3) == 0);
+    CHECK(in_ball(1.0) == 0);
     // A hollow of the outer one within the inner one, which shows the hollow's medium.
     auto hollow = ring(1.0, 0.6);
     const auto cavity = ring(1.0, 0.1);
